@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The elementary functions against the C library's in extended precision, over
+// millions of arguments, and at the arguments whose results are exact.
+
+#include "Elementary.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+constexpr long double Pi = 3.14159265358979323846264338327950288L;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr int Arguments = 2'000'000;
+
+// The error of a value in ulps of what it should be.
+double ulps(double value, long double expected)
+{
+  if (value == static_cast<double>(expected))
+  {
+    return 0.0;
+  }
+  int exponent = 0;
+  std::frexp(static_cast<double>(expected), &exponent);
+  const long double ulp = std::ldexp(1.0L, std::max(exponent, DBL_MIN_EXP) - DBL_MANT_DIG);
+  return static_cast<double>(std::fabs(static_cast<long double>(value) - expected) / ulp);
+}
+
+// The largest error found so far, and where.
+struct Worst
+{
+  double error = 0.0;
+  double argument = 0.0;
+  double argument2 = 0.0;
+
+  void take(double newError, double a, double b = 0.0)
+  {
+    if (!(newError <= this->error))
+    {
+      *this = { newError, a, b };
+    }
+  }
+};
+
+::testing::AssertionResult isWithin(const Worst& worst, double bound)
+{
+  return (worst.error <= bound ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+    << "largest error " << worst.error << " ulp at " << worst.argument << ", " << worst.argument2;
+}
+
+class Elementary : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (LDBL_MANT_DIG < 64)
+    {
+      GTEST_SKIP() << "long double is no more accurate than double here";
+    }
+  }
+
+  double uniform(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(this->Random);
+  }
+
+  std::mt19937_64 Random{ 20240229 };
+};
+
+long double radians(long double degrees)
+{
+  return degrees * Pi / 180.0L;
+}
+}
+
+TEST_F(Elementary, SineCosineTangentAreAccurate)
+{
+  Worst sine, cosine, tangent;
+  // Each angle once from 0 and once from 90 degrees: near a zero of a function its
+  // distance from that zero is what the reference must start from.
+  const auto compare = [&](double angle)
+  {
+    const long double x = radians(angle);
+    sine.take(ulps(lambent::sinDegrees(angle), sinl(x)), angle);
+    cosine.take(ulps(lambent::cosDegrees(angle), cosl(x)), angle);
+    tangent.take(ulps(lambent::tanDegrees(angle), tanl(x)), angle);
+    const double up = 90.0 + angle;
+    const long double y = radians(static_cast<long double>(up) - 90.0L);
+    sine.take(ulps(lambent::sinDegrees(up), cosl(y)), up);
+    cosine.take(ulps(lambent::cosDegrees(up), -sinl(y)), up);
+    if (y != 0.0L)
+    {
+      tangent.take(ulps(lambent::tanDegrees(up), -1.0L / tanl(y)), up);
+    }
+  };
+  for (int i = 0; i < Arguments; ++i)
+  {
+    compare(this->uniform(-45.0, 45.0));
+  }
+  for (int i = 0; i < Arguments / 10; ++i)
+  {
+    compare(std::ldexp(this->uniform(-1.0, 1.0), -static_cast<int>(this->uniform(0.0, 900.0))));
+  }
+  EXPECT_TRUE(isWithin(sine, 1.0));
+  EXPECT_TRUE(isWithin(cosine, 1.0));
+  EXPECT_TRUE(isWithin(tangent, 1.0));
+}
+
+TEST(ElementaryExact, AnglesOfTheCompass)
+{
+  using lambent::cosDegrees;
+  using lambent::sinDegrees;
+  using lambent::tanDegrees;
+  const struct
+  {
+    double angle, sine, cosine;
+  } exact[] = { { 0, 0, 1 }, { 90, 1, 0 }, { 180, 0, -1 }, { 270, -1, 0 }, { 360, 0, 1 },
+    { 450, 1, 0 }, { 36000000090.0, 1, 0 } };
+  for (const auto& e : exact)
+  {
+    EXPECT_EQ(sinDegrees(e.angle), e.sine) << e.angle;
+    EXPECT_EQ(cosDegrees(e.angle), e.cosine) << e.angle;
+    EXPECT_EQ(sinDegrees(-e.angle), -e.sine) << e.angle;
+    EXPECT_EQ(cosDegrees(-e.angle), e.cosine) << e.angle;
+  }
+  for (double turn = -720.0; turn <= 720.0; turn += 360.0)
+  {
+    EXPECT_EQ(sinDegrees(turn + 30.0), 0.5);
+    EXPECT_EQ(sinDegrees(turn + 150.0), 0.5);
+    EXPECT_EQ(sinDegrees(turn + 210.0), -0.5);
+    EXPECT_EQ(sinDegrees(turn + 330.0), -0.5);
+    EXPECT_EQ(cosDegrees(turn + 60.0), 0.5);
+    EXPECT_EQ(cosDegrees(turn + 120.0), -0.5);
+    EXPECT_EQ(cosDegrees(turn + 240.0), -0.5);
+    EXPECT_EQ(cosDegrees(turn + 300.0), 0.5);
+    EXPECT_EQ(tanDegrees(turn + 45.0), 1.0);
+    EXPECT_EQ(tanDegrees(turn + 135.0), -1.0);
+    EXPECT_EQ(tanDegrees(turn + 225.0), 1.0);
+    EXPECT_EQ(tanDegrees(turn + 315.0), -1.0);
+    EXPECT_EQ(tanDegrees(turn), 0.0);
+    EXPECT_EQ(tanDegrees(turn + 180.0), 0.0);
+  }
+  // The double that is nearest to the square root of one half.
+  EXPECT_EQ(sinDegrees(45.0), std::sqrt(0.5));
+  EXPECT_EQ(cosDegrees(45.0), std::sqrt(0.5));
+  EXPECT_EQ(tanDegrees(90.0), Infinity);
+  EXPECT_EQ(tanDegrees(-90.0), -Infinity);
+}
+
+TEST(ElementaryExact, AnglesThatAreNone)
+{
+  for (double angle : { Infinity, -Infinity, NotANumber })
+  {
+    EXPECT_TRUE(std::isnan(lambent::sinDegrees(angle)));
+    EXPECT_TRUE(std::isnan(lambent::cosDegrees(angle)));
+    EXPECT_TRUE(std::isnan(lambent::tanDegrees(angle)));
+  }
+}
+
+TEST_F(Elementary, SymmetriesHoldToTheLastBit)
+{
+  for (int i = 0; i < Arguments / 10; ++i)
+  {
+    const double angle = std::ldexp(std::floor(this->uniform(0.0, 360.0 * 1024.0)), -10);
+    EXPECT_EQ(lambent::sinDegrees(-angle), -lambent::sinDegrees(angle));
+    EXPECT_EQ(lambent::cosDegrees(-angle), lambent::cosDegrees(angle));
+    EXPECT_EQ(lambent::tanDegrees(-angle), -lambent::tanDegrees(angle));
+    EXPECT_EQ(lambent::sinDegrees(180.0 - angle), lambent::sinDegrees(angle));
+    EXPECT_EQ(lambent::cosDegrees(angle), lambent::sinDegrees(90.0 + angle));
+    EXPECT_EQ(lambent::sinDegrees(angle + 3600.0), lambent::sinDegrees(angle));
+  }
+}
+
+TEST_F(Elementary, ArcCosineIsAccurate)
+{
+  Worst worst;
+  const auto compare = [&](double x)
+  { worst.take(ulps(lambent::arcCosine(x), acosl(static_cast<long double>(x))), x); };
+  for (int i = 0; i < Arguments; ++i)
+  {
+    compare(this->uniform(-1.0, 1.0));
+  }
+  for (int i = 0; i < Arguments / 4; ++i)
+  {
+    const double small =
+      std::ldexp(this->uniform(0.5, 1.0), -static_cast<int>(this->uniform(0.0, 53.0)));
+    for (double x : { small, -small, 1.0 - small, small - 1.0, 0.5 + 0.5 * small })
+    {
+      compare(x);
+    }
+  }
+  for (double x : { 0.5, std::nextafter(0.5, 0.0), std::nextafter(0.5, 1.0), -0.5, 1e-300, DBL_MIN,
+         std::nextafter(1.0, 0.0), std::nextafter(-1.0, 0.0) })
+  {
+    compare(x);
+  }
+  EXPECT_TRUE(isWithin(worst, 1.5));
+}
+
+TEST(ElementaryExact, ArcCosine)
+{
+  EXPECT_EQ(lambent::arcCosine(1.0), 0.0);
+  EXPECT_EQ(lambent::arcCosine(0.0), static_cast<double>(Pi / 2.0L));
+  EXPECT_EQ(lambent::arcCosine(-0.0), static_cast<double>(Pi / 2.0L));
+  EXPECT_EQ(lambent::arcCosine(-1.0), static_cast<double>(Pi));
+  for (double x : { std::nextafter(1.0, 2.0), -1.5, Infinity, -Infinity, NotANumber })
+  {
+    EXPECT_TRUE(std::isnan(lambent::arcCosine(x))) << x;
+  }
+}
+
+TEST_F(Elementary, PowerIsAccurate)
+{
+  Worst whole, fractional, extreme;
+  const auto error = [](double base, double exponent)
+  {
+    return ulps(lambent::power(base, exponent),
+      powl(static_cast<long double>(base), static_cast<long double>(exponent)));
+  };
+  for (int i = 0; i < Arguments / 2; ++i)
+  {
+    const double base = this->uniform(0.0, 1.0);
+    const double n = std::floor(this->uniform(0.0, i % 2 ? 32.0 : 1100.0));
+    whole.take(error(base, n), base, n);
+    const double exponent = this->uniform(0.0, i % 2 ? 4.0 : 256.0);
+    fractional.take(error(base, exponent), base, exponent);
+  }
+  for (int i = 0; i < Arguments / 10; ++i)
+  {
+    // Bases of any magnitude, near to 1 too, and results up to the largest double.
+    const double base = i % 2
+      ? std::ldexp(this->uniform(0.5, 1.0), static_cast<int>(this->uniform(-1000.0, 1000.0)))
+      : 1.0 + std::ldexp(this->uniform(-0.5, 1.0), -static_cast<int>(this->uniform(0.0, 50.0)));
+    const double limit = 690.0 / std::fabs(std::log(base));
+    const double exponent = this->uniform(0.0, limit);
+    extreme.take(error(base, exponent), base, exponent);
+  }
+  EXPECT_TRUE(isWithin(whole, 1.0));
+  EXPECT_TRUE(isWithin(fractional, 1.0));
+  EXPECT_TRUE(isWithin(extreme, 1.0));
+}
+
+TEST(ElementaryExact, Power)
+{
+  using lambent::power;
+  for (double x : { 0.0, 0.3, 1.0, 17.5, DBL_MAX, DBL_TRUE_MIN, Infinity })
+  {
+    EXPECT_EQ(power(x, 0.0), 1.0) << x;
+    EXPECT_EQ(power(x, 1.0), x) << x;
+    EXPECT_EQ(power(1.0, x), 1.0) << x;
+  }
+  EXPECT_EQ(power(0.0, 0.5), 0.0);
+  EXPECT_EQ(power(0.0, Infinity), 0.0);
+  EXPECT_EQ(power(0.5, Infinity), 0.0);
+  EXPECT_EQ(power(2.0, Infinity), Infinity);
+  EXPECT_EQ(power(Infinity, 0.5), Infinity);
+  EXPECT_EQ(power(0.5, 10.0), 1.0 / 1024.0);
+  EXPECT_EQ(power(3.0, 30.0), 205891132094649.0);
+  EXPECT_EQ(power(2.0, 1024.0), Infinity);
+  EXPECT_EQ(power(0.5, 1074.0), DBL_TRUE_MIN);
+  EXPECT_EQ(power(0.5, 1024.0), std::ldexp(1.0, -1024));
+  EXPECT_EQ(power(0.5, 1e300), 0.0);
+  EXPECT_EQ(power(1.5, 1e300), Infinity);
+  EXPECT_EQ(power(0.25, 0.5), 0.5);
+  EXPECT_EQ(power(0.0625, 1.25), 0.03125);
+  for (double base : { -1.0, -Infinity, NotANumber })
+  {
+    EXPECT_TRUE(std::isnan(power(base, 2.0))) << base;
+  }
+  EXPECT_TRUE(std::isnan(power(0.5, -1.0)));
+  EXPECT_TRUE(std::isnan(power(0.5, NotANumber)));
+}
+
+TEST_F(Elementary, PowerOfRootsIsTheRootsOwn)
+{
+  for (int i = 0; i < Arguments / 10; ++i)
+  {
+    const double x = this->uniform(0.0, 1.0);
+    EXPECT_LE(ulps(lambent::power(x, 0.5), std::sqrt(static_cast<long double>(x))), 1.0) << x;
+    EXPECT_LE(ulps(lambent::power(x, 2.0), static_cast<long double>(x) * x), 0.5) << x;
+  }
+}
