@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# For the scripts of this project: what must be installed, and the build. Sourced by POSIX shells,
+# with $root set to the project's folder. It speaks on standard error; standard output is the
+# script's own.
+
+# Debian's cmake, ninja, compilers and python3 belong together with its VTK; others that come first
+# on PATH do not.
+PATH="/usr/bin:/bin:/usr/sbin:/sbin:$PATH"
+export PATH
+
+build="$root/build"
+missing=
+
+say() { echo "$*" >&2; }
+
+fail() {
+  say "error: $*"
+  exit 1
+}
+
+# quietly LOG COMMAND...: the output goes to the log, and is shown if the command fails.
+quietly() {
+  log=$1
+  shift
+  if ! "$@" >>"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    fail "'$*' failed; all of its output is in $log"
+  fi
+}
+
+# need REASON PACKAGE...: notes those of the packages that are not installed, and says why.
+need() {
+  reason=$1
+  shift
+  absent=
+  for package in "$@"; do
+    status=$(dpkg-query --show --showformat='${Status}' "$package" 2>/dev/null) || status=
+    [ "$status" = "install ok installed" ] || absent="$absent $package"
+  done
+  [ -z "$absent" ] || say "Missing for $reason:$absent"
+  missing="$missing$absent"
+}
+
+need_build() {
+  need "building" g++ cmake ninja-build
+  need "the module and the command (VTK, GLM, CLI11)" libvtk9-dev libglm-dev libcli11-dev
+  need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
+}
+
+# Installs what need() found missing.
+install_missing() {
+  [ -n "$missing" ] || return 0
+  command -v apt-get >/dev/null ||
+    fail "there is no apt-get here to install them. Install what your system has for them, then" \
+      "run 'cmake --workflow --preset default' in $root"
+  become=
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "that needs root. Run as root: apt-get install --no-install-recommends$missing"
+    become=sudo
+  fi
+  mkdir -p "$build"
+  say "Installing them with apt, log: $build/apt.log ..."
+  # shellcheck disable=SC2086 # $become and $missing are lists of words
+  for step in update "install --no-install-recommends $missing"; do
+    quietly "$build/apt.log" $become env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes \
+      -o DPkg::Lock::Timeout=600 -o Acquire::Retries=3 $step
+  done
+}
+
+# The release build, in $build: configure, then compile [OPTION OF cmake --build...].
+configure() {
+  cache="$build/CMakeCache.txt"
+  # A build tree that came along with a copied or renamed folder still points to the old place.
+  if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    say "$build was made for another folder; starting anew"
+    rm -rf "$build"
+  fi
+  set -- -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPython3_EXECUTABLE=/usr/bin/python3
+  [ -f "$cache" ] || set -- "$@" -G Ninja
+  mkdir -p "$build"
+  : >"$build/configure.log"
+  quietly "$build/configure.log" cmake "$@"
+}
+
+compile() {
+  say "Building in $build ..."
+  cmake --build "$build" --parallel "$(nproc)" "$@" >&2 || fail "the build failed"
+}

@@ -1,0 +1,36 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs what is missing, builds, and renders a mesh:
+#   sh Examples/run.sh [MESH] [options of the command lambent]
+# Without a MESH it draws that of Data/. The picture goes to build/, unless an option -o says
+# otherwise.
+set -eu
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
+. "$root/.ci/setup.sh"
+
+need_build
+install_missing
+configure
+compile --target lambent
+
+mesh="$root/Data/seashell.vtp"
+case "${1-}" in
+  "" | -*) ;;
+  *)
+    mesh=$1
+    shift
+    ;;
+esac
+name=$(basename -- "$mesh")
+picture="$build/${name%.*}.png"
+for option in "$@"; do
+  case "$option" in
+    -o* | --output | --output=*) picture= ;;
+  esac
+done
+[ -z "$picture" ] || set -- "$@" -o "$picture"
+
+"$build/bin/lambent" "$mesh" --verbose "$@"
+[ -z "$picture" ] || say "Picture: $picture"
