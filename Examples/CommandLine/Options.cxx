@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Options.h"
+#include "FileKinds.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <type_traits>
+
+namespace lambent::command
+{
+namespace
+{
+
+const char* const Description =
+  "Draws surfaces into a picture: Lambert's light model, traced without a window or a GPU.";
+
+const char* const Footer = R"(
+Vectors are x,y,z without spaces. Colours are r,g,b in 0..1, #rrggbb or a name such as tomato.
+
+A light is key=value pairs joined by semicolons; quote them for the shell:
+  --light 'position=3,4,5;color=gold;intensity=0.8'   a lamp that shines in all directions
+  --light 'direction=0,-1,0'                          light from infinitely far away that
+                                                      travels along 0,-1,0: from above
+A lamp with cone=DEG shines only that far to either side of the way to focal=x,y,z (the camera's
+focal point if not said), with exponent=E falling off inside it. attenuation=a,b,c divides by
+a + b d + c d d at the distance d.
+
+Reads .vtp .vtk .vtu .ply .stl .obj; of volumes the outer surface. Several inputs are one scene.
+Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a whole new one.
+
+Exit status: 0 done, 1 could not (one line says why), 2 wrong usage.
+
+Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1)";
+
+/// An option whose text one of the Parse functions turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
+  Target& target, Parse parse, const std::string& help)
+{
+  const auto take = [&target, parse, name](const std::string& text)
+  {
+    try
+    {
+      if constexpr (std::is_same_v<Target, std::vector<LightValue>>)
+      {
+        target.push_back(parse(text));
+      }
+      else
+      {
+        target = parse(text);
+      }
+    }
+    catch (const BadValue& error)
+    {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  return app.add_option_function<std::string>(name, take, help)
+    ->type_name(kind)
+    ->trigger_on_parse(); // so that each of several --light counts
+}
+
+void AddFiles(CLI::App& app, Options& options)
+{
+  app.add_option("INPUT", options.inputs, "meshes to draw, together one scene")
+    ->required()
+    ->type_name("");
+  app.add_option("-o,--output", options.output, "picture to write; - is PNG to standard output")
+    ->required()
+    ->type_name("FILE");
+  AddValue(app, "--size", "WxH", options.size, ParseSize, "pixels [1920x1080]");
+  AddValue(app, "--background", "COLOUR", options.background, ParseColor,
+    "where no surface is [black]");
+}
+
+void AddCamera(CLI::App& app, Options& options)
+{
+  const auto number = [](const std::string& text) { return ParsePositive(text); };
+  const auto angle = [](const std::string& text)
+  {
+    const double value = ParsePositive(text);
+    if (value >= 180)
+    {
+      throw BadValue("'" + text + "' is not an angle below 180 degrees");
+    }
+    return value;
+  };
+  CLI::Option* position = AddValue(app, "--camera-position", "X,Y,Z", options.cameraPosition,
+    ParseTriple, "where the eye is [such that all is in view]");
+  AddValue(app, "--focal-point", "X,Y,Z", options.focalPoint, ParseTriple,
+    "what it looks at [the centre of the scene]");
+  AddValue(app, "--view-up", "X,Y,Z", options.viewUp, ParseDirection,
+    "what is up [0,1,0; looking along y 0,0,1]");
+  AddValue(app, "--direction", "X,Y,Z", options.direction, ParseDirection,
+    "the side from which it looks, all in view [0,0,1]")
+    ->excludes(position);
+  CLI::Option* viewAngle = AddValue(app, "--view-angle", "DEG", options.viewAngle, angle,
+    "opening of the view across the height [30]");
+  AddValue(app, "--parallel-scale", "S", options.parallelScale, number,
+    "parallel projection; half the height of the view")
+    ->excludes(viewAngle);
+  AddValue(app, "--zoom", "F", options.zoom, number, "narrow the view by this factor [1]");
+}
+
+void AddLights(CLI::App& app, Options& options)
+{
+  AddValue(app, "--light", "SPEC", options.lights, ParseLight, "a light, see below; repeatable");
+  app.add_flag_callback(
+    "--headlight", [&options] { options.lights.emplace_back(); },
+    "a light at the camera [if there is no --light]");
+}
+
+void AddSurface(CLI::App& app, Options& options)
+{
+  const auto fraction = [](const std::string& text) { return ParseNumber(text, 0, 1); };
+  AddValue(app, "--diffuse", "F", options.diffuse, fraction, "diffuse reflection, 0..1 [1]");
+  AddValue(app, "--ambient", "F", options.ambient, fraction, "ambient reflection, 0..1 [0]");
+  AddValue(app, "--color", "COLOUR", options.color, ParseColor, "of the surfaces [white]");
+  AddValue(app, "--ambient-color", "COLOUR", options.ambientColor, ParseColor,
+    "of the ambient reflection [as --color]");
+
+  const std::map<std::string, Shading> shadings = { { "smooth", Shading::Smooth },
+    { "flat", Shading::Flat }, { "unlit", Shading::Unlit } };
+  AddValue(
+    app, "--shading", "smooth|flat|unlit", options.shading,
+    [shadings](const std::string& text)
+    {
+      const auto found = shadings.find(text);
+      return found != shadings.end()
+        ? found->second
+        : throw BadValue("'" + text + "' is not smooth, flat or unlit");
+    },
+    "[smooth]");
+  const std::map<std::string, AmbientModel> models = { { "per-light", AmbientModel::PerLight },
+    { "scene", AmbientModel::Scene } };
+  AddValue(
+    app, "--ambient-model", "per-light|scene", options.ambientModel,
+    [models](const std::string& text)
+    {
+      const auto found = models.find(text);
+      return found != models.end() ? found->second
+                                   : throw BadValue("'" + text + "' is not per-light or scene");
+    },
+    "ambient term from each light, or once [per-light]");
+}
+
+void AddRunning(CLI::App& app, Options& options, const std::string& version)
+{
+  const auto count = [](const std::string& text)
+  {
+    const double value = ParseNumber(text, 1, 1024);
+    const int whole = static_cast<int>(value);
+    return whole == value ? whole : throw BadValue("'" + text + "' is not a whole number");
+  };
+  AddValue(app, "--threads", "N", options.threads, count, "threads to use [all]");
+  CLI::Option* quiet =
+    app.add_flag("--quiet", options.quiet, "no progress bar, no warnings; errors remain");
+  app.add_flag("--verbose", options.verbose, "say what was done and how long it took")
+    ->excludes(quiet);
+  app.set_version_flag("--version", version);
+}
+
+void CheckOutput(const Options& options)
+{
+  if (options.output != "-" && !PictureKindOf(options.output))
+  {
+    throw CLI::ValidationError("--output",
+      "'" + options.output + "' does not end in one of " + PictureExtensions());
+  }
+}
+
+} // namespace
+
+Parsed ParseOptions(int argc, const char* const* argv, const std::string& version)
+{
+  Parsed parsed;
+  CLI::App app(Description, "lambent");
+  app.footer(Footer);
+  AddFiles(app, parsed.options);
+  AddCamera(app, parsed.options);
+  AddLights(app, parsed.options);
+  AddSurface(app, parsed.options);
+  AddRunning(app, parsed.options, version);
+  try
+  {
+    app.parse(argc, argv);
+    CheckOutput(parsed.options);
+  }
+  catch (const CLI::CallForHelp&)
+  {
+    parsed.exitStatus = 0;
+    parsed.standardOutput = app.help();
+  }
+  catch (const CLI::CallForVersion&)
+  {
+    parsed.exitStatus = 0;
+    parsed.standardOutput = version + "\n";
+  }
+  catch (const CLI::ParseError& error)
+  {
+    parsed.exitStatus = 2;
+    parsed.standardError =
+      std::string("lambent: ") + error.what() + "\nTry 'lambent --help'.\n";
+  }
+  return parsed;
+}
+
+} // namespace lambent::command

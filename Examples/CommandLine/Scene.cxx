@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Scene.h"
+
+#include "vtkLambentRayTracer.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+
+// A platform's sin or tan must not decide a pixel. So what is computed here takes only
+// + - * / and sqrt, and vtkCamera's own trigonometry (Azimuth, Elevation, ...) is not used.
+
+namespace lambent::command
+{
+namespace
+{
+
+Triple operator+(const Triple& a, const Triple& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+Triple operator-(const Triple& a, const Triple& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Triple operator*(double f, const Triple& a)
+{
+  return { f * a[0], f * a[1], f * a[2] };
+}
+
+Triple UnitVector(const Triple& a)
+{
+  // Scaled first, so that neither 1e200 nor 1e-200 leaves the range of squares.
+  const double largest = std::fmax(std::fabs(a[0]), std::fmax(std::fabs(a[1]), std::fabs(a[2])));
+  const Triple b = { a[0] / largest, a[1] / largest, a[2] / largest };
+  return (1 / std::sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2])) * b;
+}
+
+/// y is up, or z for a view along y.
+Triple UpFor(const Triple& direction)
+{
+  const bool isAlongY = direction[0] == 0 && direction[2] == 0;
+  return isAlongY ? Triple{ 0, 0, 1 } : Triple{ 0, 1, 0 };
+}
+
+/// The sine of an angle of 0 to 90 degrees; by the series, since libms differ.
+double SineOfDegrees(double degrees)
+{
+  const double x = degrees * (3.14159265358979323846 / 180);
+  double term = x;
+  double sum = x;
+  for (int n = 2; n <= 24; n += 2)
+  {
+    term *= -(x * x) / (n * (n + 1));
+    sum += term;
+  }
+  return sum;
+}
+
+/// Radius over distance of a sphere that just fits the narrower way across the view.
+double SineInView(double viewAngle, const std::array<int, 2>& size)
+{
+  const double sine = SineOfDegrees(viewAngle / 2);
+  const double aspect = static_cast<double>(size[0]) / size[1];
+  const double tangent = sine / std::sqrt(1 - sine * sine) * std::fmin(aspect, 1.0);
+  return tangent / std::sqrt(1 + tangent * tangent);
+}
+
+Triple Position(vtkCamera* camera)
+{
+  Triple position;
+  camera->GetPosition(position.data());
+  return position;
+}
+
+Triple FocalPoint(vtkCamera* camera)
+{
+  Triple point;
+  camera->GetFocalPoint(point.data());
+  return point;
+}
+
+/// Stand where all is in view, on the side that is asked for.
+void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
+{
+  vtkCamera* const camera = tracer->GetCamera();
+  const Triple side = UnitVector(options.direction.value_or(Triple{ 0, 0, 1 }));
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(side.data());
+  camera->SetViewUp(options.viewUp.value_or(UpFor(side)).data());
+  tracer->ResetCamera();
+
+  const Triple center = FocalPoint(camera);
+  Triple toEye = Position(camera) - center;
+  if (options.viewAngle)
+  {
+    // ResetCamera() takes 30 degrees; the bounding sphere shall stay just in view.
+    const double ratio =
+      SineInView(30, options.size) / SineInView(*options.viewAngle, options.size);
+    toEye = ratio * toEye;
+  }
+  const Triple focus = options.focalPoint.value_or(center);
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition((focus + toEye).data());
+}
+
+/// Stand where the options say; look at what they say, or at the middle of the scene.
+void PlaceCamera(const Options& options, vtkLambentRayTracer* tracer)
+{
+  vtkCamera* const camera = tracer->GetCamera();
+  tracer->ResetCamera(); // for the centre, and the parallel scale
+  const Triple focus = options.focalPoint.value_or(FocalPoint(camera));
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(options.cameraPosition->data());
+  camera->SetViewUp(options.viewUp.value_or(UpFor(focus - *options.cameraPosition)).data());
+}
+
+void SetUpCamera(const Options& options, vtkLambentRayTracer* tracer)
+{
+  vtkNew<vtkCamera> camera;
+  tracer->SetCamera(camera);
+  if (options.cameraPosition)
+  {
+    PlaceCamera(options, tracer);
+  }
+  else
+  {
+    FrameScene(options, tracer);
+  }
+  if (options.viewAngle)
+  {
+    camera->SetViewAngle(*options.viewAngle);
+  }
+  if (options.parallelScale)
+  {
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(*options.parallelScale);
+  }
+  camera->SetViewAngle(camera->GetViewAngle() / options.zoom);
+  camera->SetParallelScale(camera->GetParallelScale() / options.zoom);
+}
+
+vtkSmartPointer<vtkLight> MakeLight(const LightValue& value, const Triple& cameraFocus)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetColor(value.color[0], value.color[1], value.color[2]);
+  light->SetIntensity(value.intensity);
+  switch (value.kind)
+  {
+    case LightValue::Kind::Headlight:
+      light->SetLightTypeToHeadlight();
+      break;
+    case LightValue::Kind::Directional:
+      // vtkLight shines from its position towards its focal point.
+      light->SetLightTypeToSceneLight();
+      light->PositionalOff();
+      light->SetPosition(-value.place[0], -value.place[1], -value.place[2]);
+      light->SetFocalPoint(0, 0, 0);
+      break;
+    case LightValue::Kind::Positional:
+      light->SetLightTypeToSceneLight();
+      light->PositionalOn();
+      light->SetPosition(value.place.data());
+      light->SetFocalPoint((value.hasFocus ? value.focus : cameraFocus).data());
+      light->SetConeAngle(value.cone);
+      light->SetExponent(value.exponent);
+      light->SetAttenuationValues(value.attenuation.data());
+      break;
+  }
+  return light;
+}
+
+vtkSmartPointer<vtkProperty> MakeProperty(const Options& options)
+{
+  auto property = vtkSmartPointer<vtkProperty>::New();
+  Triple color = options.color;
+  Triple ambientColor = options.ambientColor.value_or(options.color);
+  property->SetDiffuse(options.diffuse);
+  property->SetDiffuseColor(color.data());
+  property->SetAmbient(options.ambient);
+  property->SetAmbientColor(ambientColor.data());
+  property->SetInterpolation(options.shading == Shading::Flat ? VTK_FLAT : VTK_PHONG);
+  property->SetLighting(options.shading != Shading::Unlit);
+  return property;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkLambentRayTracer> MakeScene(
+  const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
+{
+  auto tracer = vtkSmartPointer<vtkLambentRayTracer>::New();
+  for (vtkPolyData* mesh : meshes)
+  {
+    tracer->AddInputDataObject(0, mesh);
+  }
+  tracer->SetImageSize(options.size[0], options.size[1]);
+  Triple background = options.background;
+  tracer->SetBackground(background.data());
+  tracer->SetAmbientModel(options.ambientModel == AmbientModel::Scene
+      ? vtkLambentRayTracer::SCENE
+      : vtkLambentRayTracer::PER_LIGHT);
+  tracer->SetProperty(MakeProperty(options));
+
+  SetUpCamera(options, tracer);
+  for (const LightValue& value : options.lights)
+  {
+    tracer->AddLight(MakeLight(value, FocalPoint(tracer->GetCamera())));
+  }
+  return tracer;
+}
+
+} // namespace lambent::command

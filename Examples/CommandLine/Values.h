@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the values that options take, from text
+ *
+ * Each function reads the whole of its text or throws BadValue with a sentence
+ * that says what was expected. Only finite numbers are let through, so nothing
+ * behind the command line ever meets a NaN from it.
+ */
+
+#ifndef Values_h
+#define Values_h
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace lambent::command
+{
+
+using Triple = std::array<double, 3>;
+
+/// A value that cannot be understood; what() says what was expected.
+struct BadValue : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// One light as `--light` describes it.
+struct LightValue
+{
+  enum class Kind
+  {
+    Headlight,  ///< at the camera, shining where it looks
+    Positional, ///< at `place`
+    Directional ///< from infinitely far away, travelling along `place`
+  };
+  Kind kind = Kind::Headlight;
+  Triple place{ 0, 0, 0 };
+  Triple color{ 1, 1, 1 };
+  double intensity = 1;
+
+  // Of positional lights only.
+  double cone = 180; ///< half the opening of the cone in degrees; from 90 on there is none
+  double exponent = 0;
+  Triple attenuation{ 1, 0, 0 };
+  bool hasFocus = false;
+  Triple focus{ 0, 0, 0 }; ///< what the cone points at; without it the camera's focal point
+};
+
+/// The parts of a text between separators; an empty text has one empty part.
+std::vector<std::string> Split(const std::string& text, char separator);
+
+/// A finite number.
+double ParseNumber(const std::string& text);
+
+/// A finite number in [low, high].
+double ParseNumber(const std::string& text, double low, double high);
+
+/// A finite number above zero.
+double ParsePositive(const std::string& text);
+
+/// A finite number, zero or above.
+double ParseNotNegative(const std::string& text);
+
+/// x,y,z
+Triple ParseTriple(const std::string& text);
+
+/// x,y,z that are not all zero.
+Triple ParseDirection(const std::string& text);
+
+/// r,g,b in 0..1, \#rrggbb, or a name that vtkNamedColors knows.
+Triple ParseColor(const std::string& text);
+
+/// WIDTHxHEIGHT, each at least 1.
+std::array<int, 2> ParseSize(const std::string& text);
+
+/// position=x,y,z or direction=x,y,z, and more key=value pairs, joined by semicolons.
+LightValue ParseLight(const std::string& text);
+
+} // namespace lambent::command
+
+#endif

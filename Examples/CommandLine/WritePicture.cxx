@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "WritePicture.h"
+#include "FileKinds.h"
+#include "Messages.h"
+#include "TemporaryFile.h"
+
+#include "vtkBMPWriter.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkJPEGWriter.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkPNMWriter.h"
+#include "vtkTIFFWriter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace lambent::command
+{
+namespace
+{
+
+template <typename Writer>
+void CheckWriter(Writer* writer, VtkMessages& messages)
+{
+  const std::string error = messages.TakeError();
+  const unsigned long code = writer->GetErrorCode();
+  if (code == vtkErrorCode::OutOfDiskSpaceError)
+  {
+    throw Failure("the disk is full, or the file too large for it; make room");
+  }
+  if (!error.empty() || code != vtkErrorCode::NoError)
+  {
+    throw Failure(error.empty() ? vtkErrorCode::GetStringFromErrorCode(code) : error);
+  }
+}
+
+/// As PNG or JPEG in memory. Writing the bytes is then in our own hands, and so are its errors,
+/// some of which the writers do not notice.
+template <typename Writer>
+vtkSmartPointer<vtkUnsignedCharArray> Encode(
+  Writer* writer, vtkImageData* image, VtkMessages& messages)
+{
+  writer->SetInputData(image);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  CheckWriter(writer, messages);
+  if (!writer->GetResult())
+  {
+    throw Failure("the picture is too large for this kind of file");
+  }
+  return writer->GetResult();
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* image, VtkMessages& messages)
+{
+  vtkNew<vtkPNGWriter> writer;
+  return Encode(writer.Get(), image, messages);
+}
+
+void WriteBytes(TemporaryFile& file, vtkUnsignedCharArray* bytes)
+{
+  file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+template <typename Writer>
+void WriteThrough(Writer* writer, TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
+{
+  writer->SetInputData(image);
+  writer->SetFileName(file.GetPath().c_str());
+  writer->Write();
+  CheckWriter(writer, messages);
+}
+
+/// While it lives, what libraries print to standard error goes nowhere.
+class SilentStandardError
+{
+public:
+  SilentStandardError()
+    : Kept(dup(STDERR_FILENO))
+  {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  ~SilentStandardError()
+  {
+    dup2(this->Kept, STDERR_FILENO);
+    close(this->Kept);
+  }
+  SilentStandardError(const SilentStandardError&) = delete;
+  SilentStandardError& operator=(const SilentStandardError&) = delete;
+
+private:
+  int Kept;
+};
+
+/// libtiff prints its errors, and those of its last writes vtkTIFFWriter does not hear of. So the
+/// strips are not compressed, and their number tells whether they are all there; the place of the
+/// directory, at bytes 4 to 7, is written last.
+void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
+{
+  vtkNew<vtkTIFFWriter> writer;
+  writer->SetCompressionToNoCompression();
+  {
+    const SilentStandardError silence;
+    WriteThrough(writer.Get(), file, image, messages);
+  }
+  const auto strips = static_cast<std::uintmax_t>(image->GetNumberOfPoints()) *
+    static_cast<std::uintmax_t>(image->GetNumberOfScalarComponents());
+  char start[8] = {};
+  std::ifstream(file.GetPath(), std::ios::binary).read(start, sizeof(start));
+  if (std::filesystem::file_size(file.GetPath()) <= strips + sizeof(start) ||
+    std::memcmp(start + 4, "\0\0\0\0", 4) == 0)
+  {
+    throw Failure("the disk is full, or the file too large for it; make room");
+  }
+}
+
+void WriteVti(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
+{
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->SetCompressorTypeToLZ4();
+  writer->EncodeAppendedDataOff();
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  CheckWriter(writer.Get(), messages);
+  const std::string text = writer->GetOutputString();
+  file.Write(text.data(), text.size());
+}
+
+void WriteKind(PictureKind kind, TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
+{
+  switch (kind)
+  {
+    case PictureKind::Png:
+      return WriteBytes(file, EncodePng(image, messages));
+    case PictureKind::Jpeg:
+      return WriteBytes(file, Encode(vtkNew<vtkJPEGWriter>().Get(), image, messages));
+    case PictureKind::Tiff:
+      return WriteTiff(file, image, messages);
+    case PictureKind::Bmp:
+      return WriteThrough(vtkNew<vtkBMPWriter>().Get(), file, image, messages);
+    case PictureKind::Pnm:
+      return WriteThrough(vtkNew<vtkPNMWriter>().Get(), file, image, messages);
+    case PictureKind::Vti:
+      return WriteVti(file, image, messages);
+  }
+}
+
+void WriteToStandardOutput(vtkImageData* image, VtkMessages& messages)
+{
+  const auto bytes = EncodePng(image, messages);
+  const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
+  if (std::fwrite(bytes->GetPointer(0), 1, size, stdout) != size || std::fflush(stdout) != 0)
+  {
+    throw Failure(std::strerror(errno));
+  }
+}
+
+std::string WhereTo(const std::string& path)
+{
+  return path == "-" ? "to standard output" : "'" + path + "'";
+}
+
+} // namespace
+
+void CheckPicturePlace(const std::string& path)
+{
+  try
+  {
+    if (path != "-")
+    {
+      const TemporaryFile trial(path);
+    }
+    else if (isatty(STDOUT_FILENO))
+    {
+      throw Failure("it is a terminal; send it to a file or a pipe");
+    }
+  }
+  catch (const Failure& reason)
+  {
+    throw Failure("cannot write " + WhereTo(path) + ": " + reason.what());
+  }
+}
+
+void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages)
+{
+  try
+  {
+    if (path == "-")
+    {
+      WriteToStandardOutput(image, messages);
+      return;
+    }
+    TemporaryFile file(path);
+    WriteKind(*PictureKindOf(path), file, image, messages);
+    file.Commit();
+  }
+  catch (const std::exception& reason) // a Failure, or memory that is not there
+  {
+    throw Failure("cannot write " + WhereTo(path) + ": " + reason.what());
+  }
+}
+
+} // namespace lambent::command

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief from an image to a file of any kind
+ */
+
+#ifndef WritePicture_h
+#define WritePicture_h
+
+#include <string>
+
+class vtkImageData;
+
+namespace lambent::command
+{
+
+class VtkMessages;
+
+/// Throws Failure if a picture surely cannot be written there; known before it is drawn.
+void CheckPicturePlace(const std::string& path);
+
+/**
+ * Writes the image in the kind that the name tells; "-" is PNG to standard
+ * output. The file is there whole or, if Failure is thrown, as it was before.
+ */
+void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages);
+
+} // namespace lambent::command
+
+#endif

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the command `lambent`: from meshes on disk to the picture of them
+ */
+
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+#include "ReadSurface.h"
+#include "Scene.h"
+#include "Stopwatch.h"
+#include "WritePicture.h"
+
+#include "vtkLambentNormals.h"
+#include "vtkLambentRayTracer.h"
+
+#include "vtkCellArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkVersion.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace
+{
+
+using namespace lambent::command;
+using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+vtkIdType CountTriangles(vtkPolyData* mesh)
+{
+  vtkIdType count = 0;
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    // A polygon or strip of n points is n - 2 triangles.
+    count += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+  }
+  return count;
+}
+
+Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progress)
+{
+  Meshes meshes;
+  for (const std::string& path : options.inputs)
+  {
+    meshes.push_back(ReadSurface(path, messages, progress));
+    progress.Erase();
+    messages.FlushWarnings("'" + path + "': ");
+  }
+  return meshes;
+}
+
+/// Smooth shading needs point normals. The ray tracer would make them itself; here they are a
+/// stage of their own, with its own time.
+void AddNormals(const Options& options, Meshes& meshes, VtkMessages& messages, Progress& progress)
+{
+  if (options.shading != Shading::Smooth)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+  {
+    if (meshes[i]->GetPointData()->GetNormals())
+    {
+      continue;
+    }
+    progress.Begin("normals of " + options.inputs[i]);
+    vtkNew<vtkLambentNormals> normals;
+    progress.Follow(normals);
+    normals->SetInputData(meshes[i]);
+    normals->Update();
+    const std::string error = messages.TakeError();
+    if (!error.empty())
+    {
+      throw Failure("cannot compute normals of '" + options.inputs[i] + "': " + error);
+    }
+    progress.Erase();
+    messages.FlushWarnings("'" + options.inputs[i] + "': ");
+    meshes[i] = normals->GetOutput();
+  }
+}
+
+vtkSmartPointer<vtkImageData> Render(
+  const Options& options, const Meshes& meshes, VtkMessages& messages, Progress& progress)
+{
+  progress.Begin("rendering");
+  const auto tracer = MakeScene(options, meshes);
+  progress.Follow(tracer);
+  tracer->Update();
+  const std::string error = messages.TakeError();
+  if (!error.empty() || tracer->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw Failure("cannot render: " + (error.empty() ? "the picture came out empty" : error));
+  }
+  progress.Erase();
+  messages.FlushWarnings("");
+  return tracer->GetOutput();
+}
+
+void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopwatch)
+{
+  vtkIdType triangles = 0;
+  for (vtkPolyData* mesh : meshes)
+  {
+    triangles += CountTriangles(mesh);
+  }
+  const std::string picture = options.output == "-"
+    ? "standard output"
+    : std::filesystem::absolute(options.output).lexically_normal().string();
+  std::fprintf(stderr, "picture    %s\n", picture.c_str());
+  std::fprintf(stderr, "size       %d x %d\n", options.size[0], options.size[1]);
+  std::fprintf(stderr, "triangles  %lld\n", static_cast<long long>(triangles));
+  for (const auto& [stage, milliseconds] : stopwatch.GetLaps())
+  {
+    std::fprintf(stderr, "%-10s %.1f ms\n", stage.c_str(), milliseconds);
+  }
+}
+
+void Run(const Options& options)
+{
+  VtkMessages messages(!options.quiet);
+  Progress progress(!options.quiet);
+  if (options.threads > 0)
+  {
+    vtkSMPTools::Initialize(options.threads);
+  }
+  CheckPicturePlace(options.output);
+
+  Stopwatch stopwatch;
+  Meshes meshes = ReadMeshes(options, messages, progress);
+  stopwatch.Lap("reading");
+  AddNormals(options, meshes, messages, progress);
+  stopwatch.Lap("normals");
+  const auto image = Render(options, meshes, messages, progress);
+  stopwatch.Lap("rendering");
+  progress.Begin("writing " + options.output);
+  WritePicture(image, options.output, messages);
+  stopwatch.Lap("writing");
+
+  progress.Erase();
+  if (options.verbose)
+  {
+    Report(options, meshes, stopwatch);
+  }
+}
+
+std::string Version()
+{
+  return std::string("lambent ") + LAMBENT_VERSION + " (image contract " +
+    std::to_string(vtkLambentRayTracer::GetImageContractVersion()) + ", VTK " +
+    vtkVersion::GetVTKVersion() + ")";
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const Parsed parsed = ParseOptions(argc, argv, Version());
+  if (parsed.exitStatus)
+  {
+    std::fputs(parsed.standardOutput.c_str(), stdout);
+    std::fputs(parsed.standardError.c_str(), stderr);
+    return *parsed.exitStatus;
+  }
+  try
+  {
+    Run(parsed.options);
+    return 0;
+  }
+  catch (const std::exception& error) // a Failure says all; anything else is memory, mostly
+  {
+    Say(OneLine(error.what()));
+    return 1;
+  }
+}
