@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the box around what a scene draws
+ */
+#ifndef lambent_Bounds_h
+#define lambent_Bounds_h
+
+#include "Parallel.h"
+#include "Scene.h"
+
+#include <limits>
+
+namespace lambent
+{
+struct Bounds
+{
+  Vec3 low{ std::numeric_limits<double>::infinity() };
+  Vec3 high{ -std::numeric_limits<double>::infinity() };
+
+  bool empty() const { return !(this->low.x <= this->high.x); }
+
+  void add(const Vec3& point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->low[axis] = std::min(this->low[axis], point[axis]);
+      this->high[axis] = std::max(this->high[axis], point[axis]);
+    }
+  }
+
+  void add(const Bounds& other)
+  {
+    this->add(other.low);
+    this->add(other.high);
+  }
+};
+
+/// The bounds of the corners of all triangles. Points that are used by none, do
+/// not exist or are not finite do not count.
+Bounds findBounds(const Surface& surface, const Parallel& parallel);
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cells.h"
+
+namespace lambent
+{
+namespace
+{
+// From how many pages on a cell is split, and into how many tasks at the most.
+constexpr std::size_t pagesToSplit = 512;
+constexpr std::size_t maximumShares = 32;
+
+// Of a batch, in pages; an empty cell counts as much as a few. A batch takes some
+// milliseconds, so that progress is told and an abort heard in time.
+constexpr std::size_t batchWeight = 32 * 1024;
+constexpr std::size_t emptyCellWeight = 8;
+
+/// Calls body(page, level, column, row) for the pages of a cell and of those above.
+template <typename Body>
+void forPages(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Body&& body)
+{
+  const Window rays = grid.window(cell);
+  for (const CellGrid::Level& level : grid.levels())
+  {
+    const int column = rays.i0 / level.cellSize, row = rays.j0 / level.cellSize;
+    for (const Bins& workerBins : bins)
+    {
+      const int bin = level.first + row * level.columns + column;
+      for (const BinPage* page = workerBins.pages(bin); page; page = page->next)
+      {
+        body(*page, level, column, row);
+      }
+    }
+  }
+}
+}
+
+std::size_t Cells::countPages(const std::vector<Bins>& bins, int cell) const
+{
+  const Window rays = this->Grid.window(cell);
+  std::size_t count = 0;
+  for (const CellGrid::Level& level : this->Grid.levels())
+  {
+    const int column = rays.i0 / level.cellSize, row = rays.j0 / level.cellSize;
+    for (const Bins& workerBins : bins)
+    {
+      count += workerBins.pageCount(level.first + row * level.columns + column);
+    }
+  }
+  return count;
+}
+
+void Cells::plan(const std::vector<Bins>& bins)
+{
+  const std::size_t workers = this->Scratch.size();
+  this->Tasks.clear();
+  this->Splits.clear();
+  this->Batches.assign(1, 0);
+  std::size_t weight = 0;
+  for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
+  {
+    const std::size_t pages = this->countPages(bins, cell);
+    std::size_t shares = 1;
+    if (workers > 1 && pages > pagesToSplit)
+    {
+      shares = std::min({ pages / (pagesToSplit / 4), 4 * workers, maximumShares });
+    }
+    const int split = shares > 1 ? static_cast<int>(this->Splits.size()) : -1;
+    if (shares > 1)
+    {
+      this->Splits.push_back(std::make_unique<SplitCell>());
+      this->Splits.back()->remaining = static_cast<int>(shares);
+      this->Splits.back()->hits.reset(this->Grid.window(cell));
+    }
+    for (std::size_t share = 0; share < shares; ++share)
+    {
+      this->Tasks.push_back({ cell, static_cast<int>(share), static_cast<int>(shares), split });
+    }
+    weight += pages + emptyCellWeight;
+    if (weight > batchWeight)
+    {
+      this->Batches.push_back(this->Tasks.size());
+      weight = 0;
+    }
+  }
+  if (this->Batches.back() != this->Tasks.size())
+  {
+    this->Batches.push_back(this->Tasks.size());
+  }
+}
+
+void Cells::run(
+  std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel, bool isLastRound)
+{
+  if (!isLastRound && this->Kept.empty())
+  {
+    this->Kept.resize(this->Grid.cellCount());
+    for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
+    {
+      this->Kept[cell].reset(this->Grid.window(cell));
+    }
+  }
+  forEach(parallel, this->Batches[batch], this->Batches[batch + 1],
+    [&](int worker, std::size_t task) { this->run(this->Tasks[task], bins, worker, isLastRound); });
+}
+
+void Cells::run(const Task& task, const std::vector<Bins>& bins, int worker, bool isLastRound)
+{
+  NearestHits* hits = &this->Scratch[worker];
+  hits->reset(this->Grid.window(task.cell));
+  this->cast(task, bins, *hits);
+  if (task.split >= 0)
+  {
+    SplitCell& split = *this->Splits[task.split];
+    const std::lock_guard<std::mutex> lock(split.mutex);
+    split.hits.merge(*hits);
+    if (--split.remaining > 0)
+    {
+      return;
+    }
+    hits = &split.hits;
+  }
+  if (!this->Kept.empty())
+  {
+    this->Kept[task.cell].merge(*hits);
+    hits = &this->Kept[task.cell];
+  }
+  if (isLastRound)
+  {
+    this->Painter.paint(*hits);
+  }
+}
+
+void Cells::cast(const Task& task, const std::vector<Bins>& bins, NearestHits& hits) const
+{
+  int number = 0;
+  forPages(this->Grid, bins, task.cell,
+    [&](const BinPage& page, const CellGrid::Level& level, int column, int row) {
+      if (number++ % task.shares == task.share)
+      {
+        this->Caster.run(page, level, column, row, hits);
+      }
+    });
+}
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief process the cells: cast their rays, shade the hits, write the pixels
+ *
+ * A cell with few triangles is one task, done in memory of the worker's own. One
+ * with many is split into several tasks, each with a share of its triangles; they
+ * merge what they hit, and the last of them shades. So a mesh that falls into a
+ * single cell keeps all workers busy.
+ */
+#ifndef lambent_Cells_h
+#define lambent_Cells_h
+
+#include "Casting.h"
+#include "Painting.h"
+#include "Parallel.h"
+
+#include <mutex>
+
+namespace lambent
+{
+class Cells
+{
+public:
+  Cells(const CellGrid& grid, const Casting& casting, const Painting& painting, int workers)
+    : Grid(grid)
+    , Caster(casting)
+    , Painter(painting)
+    , Scratch(workers)
+  {
+  }
+
+  /// Share out the cells with the triangles that are in the bins now.
+  void plan(const std::vector<Bins>& bins);
+
+  /// The number of batches that the plan has, each about equally much work.
+  std::size_t batchCount() const { return this->Batches.size() - 1; }
+
+  /// Cast one batch. Cells are painted in the last round, before that they keep
+  /// their hits for the next one.
+  void run(std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel,
+    bool isLastRound);
+
+private:
+  struct Task
+  {
+    int cell;
+    int share, shares; ///< of the cell's pages
+    int split;         ///< index of the split cell that the hits go to, or -1
+  };
+  struct SplitCell
+  {
+    std::mutex mutex;
+    NearestHits hits;
+    int remaining;
+  };
+
+  std::size_t countPages(const std::vector<Bins>& bins, int cell) const;
+  void run(const Task& task, const std::vector<Bins>& bins, int worker, bool isLastRound);
+  void cast(const Task& task, const std::vector<Bins>& bins, NearestHits& hits) const;
+
+  const CellGrid& Grid;
+  const Casting& Caster;
+  const Painting& Painter;
+  std::vector<NearestHits> Scratch; ///< one a worker
+  std::vector<NearestHits> Kept;    ///< one a cell, once there is a second round
+  std::vector<Task> Tasks;
+  std::vector<std::size_t> Batches; ///< first task of each, and the end
+  std::vector<std::unique_ptr<SplitCell>> Splits;
+};
+}
+
+#endif

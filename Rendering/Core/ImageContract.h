@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the image contract: everything that decides the bits of a pixel
+ *
+ * A picture is a pure function of its scene. Whatever produces a pixel, in
+ * whatever order and on however many threads, computes it with the functions of
+ * this file and of Elementary.h, in the order that is written here:
+ *
+ * - IEEE binary64, + - * / sqrt, rounded to nearest. The module is compiled
+ *   without contraction (-ffp-contract=off) and without -ffast-math.
+ * - GLM gives the types only. Its dot() and normalize() may sum in another order
+ *   in another release; ours may not.
+ * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight
+ *   Ray/Triangle Intersection", JCGT 2(1), 2013, with one more condition, see
+ *   intersect().
+ *
+ * A change that can alter a single bit of a picture changes users' baselines: it
+ * needs a new ImageContractVersion and a line in the change list.
+ */
+#ifndef lambent_ImageContract_h
+#define lambent_ImageContract_h
+
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lambent
+{
+constexpr int ImageContractVersion = 1;
+
+using Vec3 = glm::dvec3;
+
+inline double dot(const Vec3& a, const Vec3& b)
+{
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+inline Vec3 cross(const Vec3& a, const Vec3& b)
+{
+  return { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+}
+
+inline double length(const Vec3& a)
+{
+  return std::sqrt(dot(a, a));
+}
+
+inline Vec3 normalized(const Vec3& a)
+{
+  const double l = length(a);
+  return { a.x / l, a.y / l, a.z / l };
+}
+
+/// A point in the camera's frame: right, up, forward, and the weight w that the
+/// position on the image plane is divided by (forward in a perspective view, 1
+/// in a parallel one). The image plane lies at distance 1.
+struct FramePoint
+{
+  double x, y, z, w;
+};
+
+/// Where a ray meets a triangle: the three edge functions, their sum, and the
+/// depth along the viewing direction. e / sum are the barycentric coordinates;
+/// the sum is positive where the front (counter-clockwise) side is seen.
+struct Hit
+{
+  double e0, e1, e2, sum, depth;
+};
+
+/// True where zero lies within the range of the three values.
+inline bool spansZero(double a, double b, double c)
+{
+  return std::min(a, std::min(b, c)) <= 0.0 && std::max(a, std::max(b, c)) >= 0.0;
+}
+
+/**
+ * The ray through (x, y) of the image plane against the triangle a b c.
+ *
+ * Each vertex is sheared so that the ray becomes the third axis. The sheared
+ * vertex depends on the vertex and the ray alone, and since rounding is
+ * monotonic each edge function has the right sign or is zero: no ray passes
+ * between two triangles that share an edge or a vertex.
+ *
+ * A hit must also lie in the bounding box of the sheared triangle. Wherever the
+ * test is exact that says nothing new. It matters for a triangle so thin that
+ * its edge functions round to zero: without it such a triangle is also hit where
+ * its long edges would go on beyond its ends, so that no projected bounds could
+ * ever be conservative.
+ *
+ * Not hit: a triangle whose edge functions sum to zero, one at or behind the
+ * eye, and anything that is not a number.
+ */
+inline bool intersect(const FramePoint& a, const FramePoint& b, const FramePoint& c, double x,
+  double y, Hit& hit)
+{
+  const double ax = a.x - x * a.w, ay = a.y - y * a.w;
+  const double bx = b.x - x * b.w, by = b.y - y * b.w;
+  const double cx = c.x - x * c.w, cy = c.y - y * c.w;
+  if (!spansZero(ax, bx, cx) || !spansZero(ay, by, cy))
+  {
+    return false;
+  }
+  hit.e0 = bx * cy - by * cx;
+  hit.e1 = cx * ay - cy * ax;
+  hit.e2 = ax * by - ay * bx;
+  const bool front = hit.e0 >= 0.0 && hit.e1 >= 0.0 && hit.e2 >= 0.0;
+  const bool back = hit.e0 <= 0.0 && hit.e1 <= 0.0 && hit.e2 <= 0.0;
+  if (!front && !back)
+  {
+    return false;
+  }
+  hit.sum = (hit.e0 + hit.e1) + hit.e2;
+  hit.depth = ((hit.e0 * a.z + hit.e1 * b.z) + hit.e2 * c.z) / hit.sum;
+  return hit.sum != 0.0 && hit.depth > 0.0 && hit.depth < std::numeric_limits<double>::infinity();
+}
+
+/// The byte of a colour channel: floor(255 clamp(value, 0, 1) + 1/2), no gamma;
+/// what is not a number gives 0.
+inline unsigned char toByte(double value)
+{
+  const double clamped = value > 0.0 ? (value < 1.0 ? value : 1.0) : 0.0;
+  return static_cast<unsigned char>(255.0 * clamped + 0.5);
+}
+}
+
+#endif

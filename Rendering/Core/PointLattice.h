@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief where points fall between the rays, in four bytes each
+ *
+ * Per axis a point's position is the number k of rays to the left of (below) its
+ * projection. A triangle can only be hit by the rays from the smallest k of its
+ * three points up to, but not including, the largest: one whose points all have
+ * the same k lies between the rays and is dropped after three small reads,
+ * without looking at its coordinates again.
+ *
+ * A projection so close to a ray that rounding could put it on either side counts
+ * as k or k + 1. The position is stored as 2k, or 2k + 1 for "k or k + 1"; of a
+ * triangle the first ray is then min >> 1 and the end (max + 1) >> 1. Images too
+ * large for 15 bits are counted in groups of 2^shift rays.
+ *
+ * All of this may only keep too much, never too little: hits are decided by
+ * intersect() alone. Its bounding-box condition is what makes the range exact: the
+ * sign of a sheared vertex a.x - x a.w is right but for a rounding of x a.w, which
+ * moves a projection by less than the margin below.
+ */
+#ifndef lambent_PointLattice_h
+#define lambent_PointLattice_h
+
+#include "CameraFrame.h"
+#include "Window.h"
+
+#include <cstdint>
+
+namespace lambent
+{
+struct LatticePosition
+{
+  std::uint16_t column, row;
+
+  /// At or behind the eye, or not to be placed: the point says nothing.
+  static constexpr std::uint16_t anywhere = 0xFFFF;
+  /// A coordinate of the point itself is not finite: its cells are not drawn.
+  static constexpr std::uint16_t notFinite = 0xFFFE;
+};
+
+class PointLattice
+{
+public:
+  PointLattice(const CameraFrame& frame, const Window& window);
+
+  LatticePosition locate(const Vec3& point) const;
+
+  /// The rays that can hit a triangle with points at a, b and c, none of them
+  /// "anywhere" or "not finite".
+  Window raysBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
+  {
+    const Window groups{ std::min(a.column, std::min(b.column, c.column)) >> 1,
+      (std::max(a.column, std::max(b.column, c.column)) + 1) >> 1,
+      std::min(a.row, std::min(b.row, c.row)) >> 1,
+      (std::max(a.row, std::max(b.row, c.row)) + 1) >> 1 };
+    if (this->Shift == 0)
+    {
+      return groups;
+    }
+    return { groups.i0 << this->Shift, std::min(groups.i1 << this->Shift, this->Columns.count),
+      groups.j0 << this->Shift, std::min(groups.j1 << this->Shift, this->Rows.count) };
+  }
+
+private:
+  struct Axis
+  {
+    double origin; ///< of the image plane, in rays from the window's first one
+    double margin; ///< in rays
+    int count;     ///< of rays
+  };
+  static std::uint16_t position(const Axis& axis, double u, int shift);
+
+  CameraFrame Frame;
+  double RaysPerUnit;
+  Axis Columns, Rows;
+  int Shift = 0;
+};
+}
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render.h"
+
+#include "Cells.h"
+
+namespace lambent
+{
+namespace
+{
+/// How much of the whole is done after each of the three passes, roughly.
+constexpr double pointsShare = 0.1;
+constexpr double binningShare = 0.3;
+
+/// How many points or triangles are worked off between two looks at progress.
+constexpr std::size_t batchSize = 1024 * 1024;
+
+class Picture
+{
+public:
+  Picture(const Scene& scene, const Image& image, const Parallel& parallel,
+    const Progress& progress, const Settings& settings)
+    : Workers(parallel)
+    , Tell(progress)
+    , How(settings)
+    , Triangles(scene.surfaces)
+    , Frame(scene.camera, image.width, image.height)
+    , Lattice(this->Frame, image.part)
+    , Positions(new LatticePosition[this->Triangles.pointCount()])
+    , Grid(image.part.width(), image.part.height(), settings.cellSize)
+    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
+        settings.culling)
+    , WorkerDefects(parallel.workers())
+    , Caster(this->Triangles, this->Frame, this->Grid, image.part)
+    , Shades(scene, this->Triangles, this->Frame)
+    , Painter(scene, this->Shades, this->Frame, image)
+    , CellWork(this->Grid, this->Caster, this->Painter, parallel.workers())
+  {
+    for (int worker = 0; worker < parallel.workers(); ++worker)
+    {
+      this->WorkerBins.emplace_back(this->Grid);
+    }
+  }
+
+  Report make()
+  {
+    Report report;
+    bool goesOn = this->locatePoints();
+    for (std::size_t next = 0; goesOn && !this->IsComplete;)
+    {
+      goesOn = this->binTriangles(next);
+      report.defects = this->defects();
+      if (report.defects.wrongCorner != noTriangle)
+      {
+        report.outcome = Outcome::BadMesh;
+        return report;
+      }
+      goesOn = goesOn && this->processCells(next == this->Triangles.triangleCount());
+    }
+    report.outcome = goesOn ? Outcome::Done : Outcome::Aborted;
+    return report;
+  }
+
+private:
+  bool goOn(double done) const { return !this->Tell || this->Tell(done); }
+
+  /// Calls body(worker, begin, end) for chunks of [begin, end).
+  template <typename Body>
+  void forChunks(std::size_t begin, std::size_t end, Body&& body) const
+  {
+    const std::size_t chunk = this->How.chunk;
+    forEach(this->Workers, 0, (end - begin + chunk - 1) / chunk,
+      [&](int worker, std::size_t i) {
+        body(worker, begin + i * chunk, std::min(end, begin + (i + 1) * chunk));
+      });
+  }
+
+  bool locatePoints()
+  {
+    const std::size_t count = this->Triangles.pointCount();
+    for (std::size_t begin = 0; begin < count; begin += batchSize)
+    {
+      this->forChunks(begin, std::min(count, begin + batchSize),
+        [this](int, std::size_t from, std::size_t to) { this->locate(from, to); });
+      if (!this->goOn(pointsShare * begin / count))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  void locate(std::size_t begin, std::size_t end)
+  {
+    this->Triangles.forPoints(
+      begin, end, [this](const Mesh::Part& part, std::size_t from, std::size_t to) {
+        for (std::size_t p = from; p < to; ++p)
+        {
+          this->Positions[part.firstPoint + p] = this->Lattice.locate(part.surface->points[p]);
+        }
+      });
+  }
+
+  /// Bins triangles from next on until there are none left or the bins are full;
+  /// next is then the first that is left.
+  bool binTriangles(std::size_t& next)
+  {
+    const std::size_t count = this->Triangles.triangleCount();
+    std::size_t pages = 0;
+    for (Bins& bins : this->WorkerBins)
+    {
+      bins.clear();
+    }
+    while (next < count && pages < this->How.binPages)
+    {
+      const std::size_t end = std::min(count, next + batchSize);
+      this->forChunks(next, end, [this](int worker, std::size_t from, std::size_t to) {
+        this->Binner.run(from, to, this->WorkerBins[worker], this->WorkerDefects[worker]);
+      });
+      next = end;
+      pages = 0;
+      for (const Bins& bins : this->WorkerBins)
+      {
+        pages += bins.pageCount();
+      }
+      if (!this->goOn(pointsShare + binningShare * next / count))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool processCells(bool isLastRound)
+  {
+    this->CellWork.plan(this->WorkerBins);
+    const std::size_t batches = this->CellWork.batchCount();
+    for (std::size_t batch = 0; batch < batches; ++batch)
+    {
+      this->CellWork.run(batch, this->WorkerBins, this->Workers, isLastRound);
+      constexpr double before = pointsShare + binningShare;
+      if (isLastRound && !this->goOn(before + (1.0 - before) * (batch + 1) / batches))
+      {
+        return false;
+      }
+    }
+    this->IsComplete = isLastRound;
+    return true;
+  }
+
+  MeshDefects defects() const
+  {
+    MeshDefects all;
+    for (const MeshDefects& defects : this->WorkerDefects)
+    {
+      all.merge(defects);
+    }
+    return all;
+  }
+
+  const Parallel& Workers;
+  const Progress& Tell;
+  const Settings How;
+  const Mesh Triangles;
+  const CameraFrame Frame;
+  const PointLattice Lattice;
+  const std::unique_ptr<LatticePosition[]> Positions;
+  const CellGrid Grid;
+  const Binning Binner;
+  std::vector<Bins> WorkerBins;
+  std::vector<MeshDefects> WorkerDefects;
+  const Casting Caster;
+  const Shader Shades;
+  const Painting Painter;
+  Cells CellWork;
+  bool IsComplete = false;
+};
+}
+
+Report render(const Scene& scene, const Image& image, const Parallel& parallel,
+  const Progress& progress, const Settings& settings)
+{
+  return Picture(scene, image, parallel, progress, settings).make();
+}
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief make the picture of a scene
+ *
+ * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are
+ *    grouped into cells (CellGrid).
+ * 2. One pass over the points finds where each falls between the rays
+ *    (PointLattice).
+ * 3. One pass over the triangles drops those between the rays and bins the others
+ *    by cell (Binning, Bins).
+ * 4. Each cell finds the nearest hit of each of its rays (Casting), shades it
+ *    (Shading) and writes its pixels. Only the cell at hand has depths.
+ *
+ * Should the bins of step 3 fill the memory they are given, step 4 is done for
+ * what they hold, the cells keep their hits, and step 3 goes on.
+ *
+ * Beside scene and image this takes 4 bytes a point, and up to 32 bytes for each
+ * triangle that has a ray in its box, at most Settings::binPages pages of them.
+ */
+#ifndef lambent_Render_h
+#define lambent_Render_h
+
+#include "Binning.h"
+#include "Parallel.h"
+#include "Scene.h"
+#include "Window.h"
+
+#include <functional>
+
+namespace lambent
+{
+/// Where the picture goes: a part of an image, row by row from the bottom, three
+/// channels a pixel, as bytes or as floats (the other one is nullptr).
+struct Image
+{
+  int width = 0, height = 0; ///< of the whole image
+  Window part;               ///< what is made and stored of it
+  unsigned char* bytes = nullptr;
+  float* floats = nullptr;
+};
+
+/// How the work is cut. None of it changes a bit of the picture.
+struct Settings
+{
+  int cellSize = 32;
+  std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
+  std::size_t binPages = 512 * 1024; ///< of 256 bytes, before the cells are processed
+  bool culling = true;               ///< drop triangles between the rays
+
+  /// Every triangle against every ray: the definition of the picture.
+  static Settings bruteForce(const Window& part)
+  {
+    Settings settings;
+    settings.cellSize = std::max(part.width(), part.height());
+    settings.chunk = noTriangle;
+    settings.culling = false;
+    return settings;
+  }
+};
+
+enum class Outcome
+{
+  Done,
+  Aborted,
+  BadMesh ///< a corner names a point that does not exist; the image is unfinished
+};
+
+struct Report
+{
+  Outcome outcome = Outcome::Done;
+  MeshDefects defects;
+};
+
+/// Told how much is done, from 0 to 1, by the calling thread; false aborts.
+using Progress = std::function<bool(double)>;
+
+/// The camera must have no defect, the image at least one pixel, the scene fewer
+/// than noTriangle triangles. Throws std::bad_alloc.
+Report render(const Scene& scene, const Image& image, const Parallel& parallel = Parallel(),
+  const Progress& progress = nullptr, const Settings& settings = Settings());
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the light model: Lambert's diffuse reflection and an ambient term
+ *
+ * Per light, in order, and colour channel
+ *
+ *     rho_d L (s.m) / (|s||m|) + rho_a L    where s.m > 0
+ *     rho_a L                               elsewhere
+ *
+ * with s from the hit to the light, m the normal, and L the light's colour times
+ * what its attenuation 1 / (a0 + a1 d + a2 d^2) and its cone (the cosine from the
+ * axis to the power of the exponent, nothing outside) leave of it at the hit. A
+ * light exactly at the hit gives its full ambient term. With AmbientModel::Scene
+ * the ambient term is rho_a, once, instead.
+ */
+#ifndef lambent_Shading_h
+#define lambent_Shading_h
+
+#include "CameraFrame.h"
+#include "Mesh.h"
+
+#include <vector>
+
+namespace lambent
+{
+class Shader
+{
+public:
+  Shader(const Scene& scene, const Mesh& mesh, const CameraFrame& frame);
+
+  /// The colour at the hit of the ray through (x, y) on a triangle.
+  Vec3 color(std::uint32_t triangle, double x, double y) const;
+
+private:
+  /// A light as the hits see it.
+  struct Source
+  {
+    bool positional;
+    bool isConstant;  ///< neither attenuated nor in a cone
+    bool hasCone;
+    Vec3 toLight;     ///< position from the eye, or the direction to the light
+    Vec3 axis;        ///< of the cone, unit
+    Vec3 color;
+    double coneCosine;
+    double exponent;
+    Vec3 attenuation;
+  };
+  static Source makeSource(const Light& light, const Vec3& eye);
+
+  Vec3 normal(const Surface& surface, std::size_t triangle, const Hit& hit) const;
+  Vec3 lit(const Material& material, const Vec3& point, const Vec3& normal) const;
+  static double arriving(const Source& source, const Vec3& toLight, double distance);
+
+  const Mesh& Triangles;
+  const CameraFrame& Frame;
+  std::vector<Source> Sources;
+  AmbientModel Ambient;
+  bool TwoSided;
+};
+}
+
+#endif

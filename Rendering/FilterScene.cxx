@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterScene.h"
+
+#include "CameraFrame.h"
+#include "SceneFromVTK.h"
+#include "vtkLambentRayTracer.h"
+
+#include "vtkCollectionRange.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+#include <stdexcept>
+
+FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs,
+  const lambent::Parallel& parallel)
+  : Filter(filter)
+  , Surfaces(inputs, materials(filter, inputs.size()), parallel)
+{
+  this->addCamera(parallel);
+  this->addLights();
+  this->addBackground();
+  this->Surfaces.addPointNormals(filter->GetUsePointNormals() != 0);
+  this->Description.surfaces = this->Surfaces.surfaces();
+}
+
+std::vector<lambent::Material> FilterScene::materials(
+  vtkLambentRayTracer* filter, std::size_t count)
+{
+  std::vector<lambent::Material> result;
+  for (int k = 0; k < static_cast<int>(count); ++k)
+  {
+    vtkProperty* own = filter->GetInputProperty(k);
+    result.push_back(materialFromVTK(own ? own : filter->GetProperty()));
+    if (!isFinite(result.back()))
+    {
+      throw std::runtime_error("Input " + std::to_string(k) +
+        ": its vtkProperty has a colour or coefficient that is not a finite number. Call "
+        "SetColor(), SetDiffuse() and SetAmbient() with finite ones.");
+    }
+  }
+  return result;
+}
+
+void FilterScene::addCamera(const lambent::Parallel& parallel)
+{
+  lambent::Camera& camera = this->Description.camera;
+  if (this->Filter->GetCamera())
+  {
+    camera = cameraFromVTK(this->Filter->GetCamera());
+  }
+  else
+  {
+    const int* size = this->Filter->GetImageSize();
+    camera = frameBounds(camera, this->Surfaces.bounds(parallel), size[0], size[1]);
+  }
+  const std::string defect = describeDefect(camera);
+  if (!defect.empty())
+  {
+    throw std::runtime_error(defect);
+  }
+}
+
+void FilterScene::addLights()
+{
+  lambent::Scene& scene = this->Description;
+  scene.ambientModel = this->Filter->GetAmbientModel() == vtkLambentRayTracer::SCENE
+    ? lambent::AmbientModel::Scene
+    : lambent::AmbientModel::PerLight;
+  scene.twoSidedLighting = this->Filter->GetTwoSidedLighting() != 0;
+  int index = 0;
+  for (vtkLight* light : vtk::Range(this->Filter->GetLights()))
+  {
+    if (light->GetSwitch())
+    {
+      scene.lights.push_back(lightFromVTK(light, scene.camera));
+      if (!isFinite(scene.lights.back()))
+      {
+        throw std::runtime_error("Light " + std::to_string(index) +
+          " has a setting that is not a finite number. Check its position, focal point, "
+          "transform matrix, colour, intensity, cone angle, exponent and attenuation.");
+      }
+    }
+    ++index;
+  }
+  if (index == 0)
+  {
+    scene.lights.push_back(headlight(scene.camera));
+  }
+}
+
+void FilterScene::addBackground()
+{
+  const double* bottom = this->Filter->GetBackground();
+  const double* top =
+    this->Filter->GetGradientBackground() ? this->Filter->GetBackground2() : bottom;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    if (!std::isfinite(bottom[channel]) || !std::isfinite(top[channel]))
+    {
+      throw std::runtime_error("The background has a channel that is not a finite number. Call "
+                               "SetBackground() and SetBackground2() with finite ones.");
+    }
+    this->Description.background[channel] = bottom[channel];
+    this->Description.backgroundTop[channel] = top[channel];
+  }
+}

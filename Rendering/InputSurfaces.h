@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief all inputs of the filter as the surfaces of one scene
+ */
+#ifndef InputSurfaces_h
+#define InputSurfaces_h
+
+#include "Bounds.h"
+#include "Render.h"
+#include "SurfaceFromVTK.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class InputSurfaces
+{
+public:
+  /// Surface k is that of inputs[k] with materials[k]. Throws std::runtime_error
+  /// with a message that names the input, as do the others.
+  InputSurfaces(const std::vector<vtkPolyData*>& inputs,
+    const std::vector<lambent::Material>& materials, const lambent::Parallel& parallel);
+
+  /// Give those that are shaded smooth their point normals: their own if they have
+  /// some and these are wanted, computed ones otherwise.
+  void addPointNormals(bool useOwn);
+
+  lambent::Bounds bounds(const lambent::Parallel& parallel) const;
+  std::vector<lambent::Surface> surfaces() const;
+
+  /// The message about a corner that names a point that does not exist.
+  std::string describeWrongCorner(const lambent::MeshDefects& defects) const;
+  /// The message about cells with points that are not finite.
+  std::string describeNotFinite(const lambent::MeshDefects& defects) const;
+
+private:
+  /// Which input and cell a triangle belongs to.
+  struct Place
+  {
+    std::size_t input;
+    std::int64_t cell;
+  };
+  Place find(std::size_t triangle) const;
+
+  std::vector<vtkPolyData*> Inputs;
+  std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
+  std::vector<vtkSmartPointer<vtkDataArray>> ComputedNormals;
+};
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief VTK's camera, lights and properties as the core's
+ *
+ * Only plain settings are read, never the matrices that VTK computes from them:
+ * those differ in their last bits between platforms.
+ */
+#ifndef SceneFromVTK_h
+#define SceneFromVTK_h
+
+#include "Scene.h"
+
+#include <string>
+
+class vtkCamera;
+class vtkLight;
+class vtkProperty;
+
+lambent::Camera cameraFromVTK(vtkCamera* camera);
+
+/// Give a camera what framing bounds changes: position, focal point, view-up, view
+/// angle and parallel scale.
+void applyFraming(const lambent::Camera& framed, vtkCamera* camera);
+
+/// What of the camera's settings is not supported; empty if nothing.
+std::string unsupportedSettings(vtkCamera* camera);
+
+/// What is wrong with a camera, and the remedy; empty if nothing.
+std::string describeDefect(const lambent::Camera& camera);
+
+/// A light as seen with a camera. Headlights and camera lights move with it.
+lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera);
+
+/// False if a setting of the light is not a finite number.
+bool isFinite(const lambent::Light& light);
+
+/// The white headlight of a scene without lights.
+lambent::Light headlight(const lambent::Camera& camera);
+
+/// A property as a material; nullptr is the default one.
+lambent::Material materialFromVTK(vtkProperty* property);
+
+/// False if a coefficient or colour of the material is not a finite number.
+bool isFinite(const lambent::Material& material);
+
+#endif

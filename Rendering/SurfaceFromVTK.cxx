@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceFromVTK.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+std::string describe(vtkDataArray* array)
+{
+  const char* name = array->GetName();
+  return name && *name ? "\"" + std::string(name) + "\"" : "without a name";
+}
+}
+
+SurfaceFromVTK::SurfaceFromVTK(
+  vtkPolyData* polyData, const lambent::Material& material, const lambent::Parallel& parallel)
+  : Input(polyData)
+{
+  this->Result.material = material;
+  this->setPoints();
+  this->setCells(parallel);
+  vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
+  if (cellNormals && material.shading == lambent::Shading::Flat)
+  {
+    this->Result.cellNormals = this->normals(cellNormals, polyData->GetNumberOfCells(), "cell");
+  }
+}
+
+void SurfaceFromVTK::setPointNormals(vtkDataArray* normals)
+{
+  this->Result.pointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point");
+}
+
+lambent::TupleSpan SurfaceFromVTK::normals(
+  vtkDataArray* normals, vtkIdType expected, const char* kind)
+{
+  if (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != expected)
+  {
+    std::ostringstream text;
+    text << "the " << kind << " normals, array " << describe(normals) << ", have "
+         << normals->GetNumberOfTuples() << " tuples of " << normals->GetNumberOfComponents()
+         << " components, but there are " << expected << " " << kind
+         << "s, each of which needs a tuple of 3. Remove the array or compute it anew, for "
+            "instance with vtkLambentNormals.";
+    throw std::runtime_error(text.str());
+  }
+  return this->tuples(normals);
+}
+
+void SurfaceFromVTK::setPoints()
+{
+  vtkPoints* points = this->Input->GetPoints();
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (points->GetData()->GetNumberOfComponents() != 3)
+  {
+    throw std::runtime_error("the points have " +
+      std::to_string(points->GetData()->GetNumberOfComponents()) + " components, not 3.");
+  }
+  this->Result.points = this->tuples(points->GetData());
+}
+
+void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
+{
+  vtkPolyData* input = this->Input;
+  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
+  const lambent::CellSpan polygons = this->cells(input->GetPolys());
+  const lambent::CellSpan strips = this->cells(input->GetStrips());
+  const lambent::CellSizes sizes = inspect(polygons, parallel);
+  if (sizes == lambent::CellSizes::Broken ||
+    inspect(strips, parallel) == lambent::CellSizes::Broken)
+  {
+    throw std::runtime_error(std::string("the offsets of the ") +
+      (sizes == lambent::CellSizes::Broken ? "polygons" : "strips") +
+      " decrease or reach beyond their connectivity. Rebuild the vtkCellArray, for instance "
+      "with InsertNextCell().");
+  }
+  if (sizes == lambent::CellSizes::Triangles && input->GetNumberOfStrips() == 0)
+  {
+    this->Result.corners = polygons.connectivity;
+    this->Result.corners.size = 3 * static_cast<std::size_t>(input->GetNumberOfPolys());
+    this->Result.firstCell = firstPolygon;
+    return;
+  }
+  if (input->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
+  {
+    throw std::runtime_error("polygons and strips of more than 2147483647 points cannot be cut "
+                             "into triangles here. Run vtkTriangleFilter first.");
+  }
+  triangulate(polygons, lambent::CellKind::Polygons, this->Result.points, firstPolygon, parallel,
+    this->Triangles);
+  triangulate(
+    strips, lambent::CellKind::Strips, this->Result.points, firstStrip, parallel, this->Triangles);
+  this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
+  this->Result.cells = this->Triangles.cells.data();
+}
+
+lambent::TupleSpan SurfaceFromVTK::tuples(vtkDataArray* array)
+{
+  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+  if (!isReal || !array->HasStandardMemoryLayout())
+  {
+    vtkNew<vtkDoubleArray> copy;
+    copy->DeepCopy(array);
+    this->Converted.emplace_back(copy);
+    array = copy;
+  }
+  return { array->GetVoidPointer(0), array->GetDataType() == VTK_DOUBLE,
+    static_cast<std::size_t>(array->GetNumberOfTuples()) };
+}
+
+lambent::IndexSpan SurfaceFromVTK::indices(vtkDataArray* array)
+{
+  return { array->GetVoidPointer(0), array->GetDataTypeSize() == 8,
+    static_cast<std::size_t>(array->GetNumberOfValues()) };
+}
+
+lambent::CellSpan SurfaceFromVTK::cells(vtkCellArray* array)
+{
+  if (!array || array->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  // A cell array's own storage is signed integers of 32 or 64 bits, one after the
+  // other; VTK 9.6 and later know others.
+  if (!array->GetOffsetsArray()->HasStandardMemoryLayout() ||
+    !array->GetConnectivityArray()->HasStandardMemoryLayout() ||
+    array->GetOffsetsArray()->GetDataTypeSize() != array->GetConnectivityArray()->GetDataTypeSize())
+  {
+    vtkNew<vtkCellArray> copy;
+    copy->DeepCopy(array);
+    copy->ConvertTo64BitStorage();
+    this->Converted.emplace_back(copy);
+    array = copy;
+  }
+  return { this->indices(array->GetOffsetsArray()), this->indices(array->GetConnectivityArray()) };
+}
+
+std::string SurfaceFromVTK::describeWrongCell(std::int64_t cell) const
+{
+  const vtkIdType firstPolygon = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPolygon + this->Input->GetNumberOfPolys();
+  vtkNew<vtkIdList> ids;
+  if (cell < firstStrip)
+  {
+    this->Input->GetPolys()->GetCellAtId(cell - firstPolygon, ids);
+  }
+  else
+  {
+    this->Input->GetStrips()->GetCellAtId(cell - firstStrip, ids);
+  }
+  const vtkIdType points = this->Input->GetNumberOfPoints();
+  std::ostringstream text;
+  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  {
+    const vtkIdType id = ids->GetId(k);
+    if (id < 0 || id >= points)
+    {
+      text << "cell " << cell << " names point " << id << ", but there are " << points
+           << " points, 0 to " << points - 1
+           << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
+      break;
+    }
+  }
+  return text.str();
+}

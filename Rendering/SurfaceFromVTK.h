@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief polydata as a surface of the core's scene
+ *
+ * Float and double points, normals and triangles are used where they are. Other
+ * number types and memory layouts are converted, and polygons and strips cut into
+ * triangles, into memory that the SurfaceFromVTK owns.
+ */
+#ifndef SurfaceFromVTK_h
+#define SurfaceFromVTK_h
+
+#include "Parallel.h"
+#include "Scene.h"
+#include "Triangulation.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkPolyData;
+
+class SurfaceFromVTK
+{
+public:
+  /// The polydata must outlive this object. Throws std::runtime_error, as do the
+  /// others, with a message for the user.
+  SurfaceFromVTK(
+    vtkPolyData* polyData, const lambent::Material& material, const lambent::Parallel& parallel);
+
+  const lambent::Surface& surface() const { return this->Result; }
+
+  /// Normals for smooth shading, one for each point; they must outlive this object.
+  void setPointNormals(vtkDataArray* normals);
+
+  /// What is wrong with a cell that names a point that does not exist.
+  std::string describeWrongCell(std::int64_t cell) const;
+
+private:
+  void setPoints();
+  void setCells(const lambent::Parallel& parallel);
+  lambent::TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
+  lambent::TupleSpan tuples(vtkDataArray* array);
+  lambent::IndexSpan indices(vtkDataArray* array);
+  lambent::CellSpan cells(vtkCellArray* array);
+
+  vtkPolyData* Input;
+  lambent::Surface Result;
+  lambent::TriangleList Triangles;
+  std::vector<vtkSmartPointer<vtkObjectBase>> Converted;
+};
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Every picture is defined by brute force: each triangle against each ray. However
+// the rays are grouped, the triangles cut into chunks and the work shared among
+// threads, not one bit may differ from it.
+#include "RandomScenes.h"
+#include "Render.h"
+#include "Shading.h"
+#include "ThreadedParallel.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace lambent;
+
+namespace
+{
+constexpr unsigned int sceneCount = 400;
+
+struct Picture
+{
+  std::vector<float> floats;
+  Outcome outcome = Outcome::Done;
+};
+
+Picture makePicture(const RandomScene& random, const Window& part, const Settings& settings,
+  const Parallel& parallel = Parallel())
+{
+  Picture picture;
+  picture.floats.assign(3u * part.width() * part.height(), -1.0f);
+  Image image;
+  image.width = random.width;
+  image.height = random.height;
+  image.part = part;
+  image.floats = picture.floats.data();
+  picture.outcome = render(random.scene, image, parallel, nullptr, settings).outcome;
+  return picture;
+}
+
+Window whole(const RandomScene& random)
+{
+  return { 0, random.width, 0, random.height };
+}
+
+/// How many channels differ in a bit.
+std::size_t differences(const Picture& a, const Picture& b)
+{
+  std::size_t count = a.floats.size() == b.floats.size() ? 0 : 1;
+  for (std::size_t k = 0; count == 0 && k < a.floats.size(); ++k)
+  {
+    count += std::memcmp(&a.floats[k], &b.floats[k], sizeof(float)) != 0;
+  }
+  return count;
+}
+
+std::string describe(unsigned int seed, const RandomScene& random)
+{
+  return "seed " + std::to_string(seed) + ": " + random.name + ", " +
+    std::to_string(random.width) + " x " + std::to_string(random.height);
+}
+
+Settings smallCells(int size)
+{
+  Settings settings;
+  settings.cellSize = size;
+  settings.chunk = 7;
+  return settings;
+}
+}
+
+// The definition itself, written as plainly as can be: two loops and intersect().
+TEST(BruteForce, IsEachTriangleAgainstEachRay)
+{
+  std::size_t hits = 0;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+  {
+    const RandomScene random = makeRandomScene(seed);
+    const Mesh mesh(random.scene.surfaces);
+    const CameraFrame frame(random.scene.camera, random.width, random.height);
+    const Shader shader(random.scene, mesh, frame);
+    const Picture picture =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    for (int j = 0; j < random.height; ++j)
+    {
+      for (int i = 0; i < random.width; ++i)
+      {
+        std::uint32_t nearest = noTriangle, number = 0;
+        double depth = std::numeric_limits<double>::infinity();
+        for (const Surface& surface : random.scene.surfaces)
+        {
+          for (std::size_t t = 0; t < surface.triangleCount(); ++t, ++number)
+          {
+            FramePoint p[3];
+            for (int k = 0; k < 3; ++k)
+            {
+              p[k] = frame.toFrame(surface.points[surface.corners[3 * t + k]]);
+            }
+            Hit hit;
+            if (intersect(p[0], p[1], p[2], frame.x(i), frame.y(j), hit) && hit.depth < depth &&
+              !(surface.material.cullFront && hit.sum > 0.0) &&
+              !(surface.material.cullBack && hit.sum < 0.0))
+            {
+              depth = hit.depth;
+              nearest = number;
+            }
+          }
+        }
+        const Vec3 background = random.scene.background +
+          (random.scene.backgroundTop - random.scene.background) * ((j + 0.5) / random.height);
+        const Vec3 expected =
+          nearest == noTriangle ? background : shader.color(nearest, frame.x(i), frame.y(j));
+        hits += nearest != noTriangle;
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          ASSERT_EQ(picture.floats[3 * (j * random.width + i) + channel],
+            static_cast<float>(expected[channel]))
+            << describe(seed, random) << ", pixel " << i << ", " << j;
+        }
+      }
+    }
+  }
+  EXPECT_GT(hits, 10000u); // the scenes are there to be hit
+}
+
+TEST(BruteForce, EqualsCells)
+{
+  for (unsigned int seed = 0; seed < sceneCount; ++seed)
+  {
+    const RandomScene random = makeRandomScene(seed);
+    const Picture reference =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    for (int size : { 1, 3, 8, 32 })
+    {
+      EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallCells(size))), 0u)
+        << describe(seed, random) << ", cells of " << size;
+    }
+  }
+}
+
+TEST(BruteForce, EqualsAnyNumberOfThreads)
+{
+  for (unsigned int seed = 0; seed < sceneCount; ++seed)
+  {
+    const RandomScene random = makeRandomScene(seed);
+    const Picture reference =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    for (int threads : { 1, 2, 3, 8 })
+    {
+      const Picture picture =
+        makePicture(random, whole(random), smallCells(16), ThreadedParallel(threads));
+      EXPECT_EQ(differences(reference, picture), 0u)
+        << describe(seed, random) << ", " << threads << " threads";
+    }
+  }
+}
+
+// So few bins that the cells are processed after every batch of triangles. Batches
+// are of a million triangles, so the mesh is made large by repeating it.
+TEST(BruteForce, EqualsSeveralRounds)
+{
+  for (unsigned int seed : { 1u, 4u })
+  {
+    RandomScene random = makeRandomScene(seed);
+    RandomScene::MeshData& data = *random.meshes[0];
+    Surface& surface = random.scene.surfaces[0];
+    const std::vector<std::int64_t> corners = data.corners64;
+    while (data.corners64.size() / 3 < 2500000)
+    {
+      data.corners64.insert(data.corners64.end(), corners.begin(), corners.end());
+    }
+    Settings oneRound, manyRounds;
+    manyRounds.binPages = 1;
+    surface.corners = { data.corners64.data(), true, data.corners64.size() };
+    EXPECT_EQ(differences(makePicture(random, whole(random), oneRound),
+                makePicture(random, whole(random), manyRounds, ThreadedParallel(2))),
+      0u)
+      << describe(seed, random);
+  }
+}
+
+// Cells of many triangles are split among the workers.
+TEST(BruteForce, EqualsSplitCells)
+{
+  for (unsigned int seed : { 1u, 3u, 11u })
+  {
+    RandomScene random = makeRandomScene(seed);
+    RandomScene::MeshData& data = *random.meshes[0];
+    const std::vector<std::int64_t> corners = data.corners64;
+    while (data.corners64.size() / 3 < 200000)
+    {
+      data.corners64.insert(data.corners64.end(), corners.begin(), corners.end());
+    }
+    random.scene.surfaces[0].corners = { data.corners64.data(), true, data.corners64.size() };
+    Settings settings;
+    settings.cellSize = 128;
+    const Picture alone = makePicture(random, whole(random), settings);
+    for (int threads : { 2, 3, 8 })
+    {
+      EXPECT_EQ(differences(alone,
+                  makePicture(random, whole(random), settings, ThreadedParallel(threads))),
+        0u)
+        << describe(seed, random) << ", " << threads << " threads";
+    }
+  }
+}
+
+TEST(BruteForce, EqualsThePartsOfAnImage)
+{
+  for (unsigned int seed = 0; seed < sceneCount; seed += 3)
+  {
+    const RandomScene random = makeRandomScene(seed);
+    const Picture reference =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    const Window part{ random.width / 3, random.width - random.width / 4, random.height / 4,
+      random.height - random.height / 5 };
+    const Picture picture = makePicture(random, part, Settings());
+    for (int j = part.j0; j < part.j1; ++j)
+    {
+      const std::size_t row = 3u * (j - part.j0) * part.width();
+      ASSERT_EQ(std::memcmp(&picture.floats[row],
+                  &reference.floats[3u * (j * random.width + part.i0)],
+                  3u * part.width() * sizeof(float)),
+        0)
+        << describe(seed, random) << ", row " << j;
+    }
+  }
+}
