@@ -6,6 +6,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 

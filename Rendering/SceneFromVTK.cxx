@@ -45,7 +45,7 @@ Vec3 transformed(vtkMatrix4x4* matrix, const Vec3& p)
 Vec3 fromCameraSpace(const Vec3& p, const lambent::Camera& camera)
 {
   const Vec3 view = camera.focalPoint - camera.position;
-  const double distance = length(view);
+  const double distance = lambent::length(view);
   const Vec3 forward = lambent::normalized(view);
   const Vec3 right = lambent::normalized(lambent::cross(forward, camera.viewUp));
   const Vec3 up = lambent::cross(right, forward);

@@ -4,7 +4,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -55,7 +54,7 @@ lambent::TupleSpan SurfaceFromVTK::normals(
             "instance with vtkLambentNormals.";
     throw std::runtime_error(text.str());
   }
-  return this->tuples(normals);
+  return this->Spans.tuples(normals);
 }
 
 void SurfaceFromVTK::setPoints()
@@ -70,7 +69,7 @@ void SurfaceFromVTK::setPoints()
     throw std::runtime_error("the points have " +
       std::to_string(points->GetData()->GetNumberOfComponents()) + " components, not 3.");
   }
-  this->Result.points = this->tuples(points->GetData());
+  this->Result.points = this->Spans.tuples(points->GetData());
 }
 
 void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
@@ -78,8 +77,8 @@ void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
   vtkPolyData* input = this->Input;
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
   const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
-  const lambent::CellSpan polygons = this->cells(input->GetPolys());
-  const lambent::CellSpan strips = this->cells(input->GetStrips());
+  const lambent::CellSpan polygons = this->Spans.cells(input->GetPolys());
+  const lambent::CellSpan strips = this->Spans.cells(input->GetStrips());
   const lambent::CellSizes sizes = inspect(polygons, parallel);
   if (sizes == lambent::CellSizes::Broken ||
     inspect(strips, parallel) == lambent::CellSizes::Broken)
@@ -107,47 +106,6 @@ void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
     strips, lambent::CellKind::Strips, this->Result.points, firstStrip, parallel, this->Triangles);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
-}
-
-lambent::TupleSpan SurfaceFromVTK::tuples(vtkDataArray* array)
-{
-  const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-  if (!isReal || !array->HasStandardMemoryLayout())
-  {
-    vtkNew<vtkDoubleArray> copy;
-    copy->DeepCopy(array);
-    this->Converted.emplace_back(copy);
-    array = copy;
-  }
-  return { array->GetVoidPointer(0), array->GetDataType() == VTK_DOUBLE,
-    static_cast<std::size_t>(array->GetNumberOfTuples()) };
-}
-
-lambent::IndexSpan SurfaceFromVTK::indices(vtkDataArray* array)
-{
-  return { array->GetVoidPointer(0), array->GetDataTypeSize() == 8,
-    static_cast<std::size_t>(array->GetNumberOfValues()) };
-}
-
-lambent::CellSpan SurfaceFromVTK::cells(vtkCellArray* array)
-{
-  if (!array || array->GetNumberOfCells() == 0)
-  {
-    return {};
-  }
-  // A cell array's own storage is signed integers of 32 or 64 bits, one after the
-  // other; VTK 9.6 and later know others.
-  if (!array->GetOffsetsArray()->HasStandardMemoryLayout() ||
-    !array->GetConnectivityArray()->HasStandardMemoryLayout() ||
-    array->GetOffsetsArray()->GetDataTypeSize() != array->GetConnectivityArray()->GetDataTypeSize())
-  {
-    vtkNew<vtkCellArray> copy;
-    copy->DeepCopy(array);
-    copy->ConvertTo64BitStorage();
-    this->Converted.emplace_back(copy);
-    array = copy;
-  }
-  return { this->indices(array->GetOffsetsArray()), this->indices(array->GetConnectivityArray()) };
 }
 
 std::string SurfaceFromVTK::describeWrongCell(std::int64_t cell) const

@@ -13,15 +13,11 @@
 
 #include "Parallel.h"
 #include "Scene.h"
+#include "SpansFromVTK.h"
 #include "Triangulation.h"
 
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-
 #include <string>
-#include <vector>
 
-class vtkCellArray;
 class vtkDataArray;
 class vtkPolyData;
 
@@ -45,14 +41,11 @@ private:
   void setPoints();
   void setCells(const lambent::Parallel& parallel);
   lambent::TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
-  lambent::TupleSpan tuples(vtkDataArray* array);
-  lambent::IndexSpan indices(vtkDataArray* array);
-  lambent::CellSpan cells(vtkCellArray* array);
 
   vtkPolyData* Input;
   lambent::Surface Result;
   lambent::TriangleList Triangles;
-  std::vector<vtkSmartPointer<vtkObjectBase>> Converted;
+  SpansFromVTK Spans;
 };
 
 #endif

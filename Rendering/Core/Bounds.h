@@ -21,19 +21,15 @@ struct Bounds
 
   bool empty() const { return !(this->low.x <= this->high.x); }
 
-  void add(const Vec3& point)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->low[axis] = std::min(this->low[axis], point[axis]);
-      this->high[axis] = std::max(this->high[axis], point[axis]);
-    }
-  }
+  void add(const Vec3& point) { this->add(Bounds{ point, point }); }
 
   void add(const Bounds& other)
   {
-    this->add(other.low);
-    this->add(other.high);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->low[axis] = std::min(this->low[axis], other.low[axis]);
+      this->high[axis] = std::max(this->high[axis], other.high[axis]);
+    }
   }
 };
 
