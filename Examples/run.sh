@@ -32,5 +32,5 @@ for option in "$@"; do
 done
 [ -z "$picture" ] || set -- "$@" -o "$picture"
 
-"$build/bin/lambent" "$mesh" --verbose "$@"
-[ -z "$picture" ] || say "Picture: $picture"
+# --verbose tells where the picture is, its size, the triangles and the time of each stage.
+exec "$build/bin/lambent" "$mesh" --verbose "$@"
