@@ -129,4 +129,9 @@ void VtkMessages::FlushWarnings(const std::string& about)
   }
 }
 
+void VtkMessages::DropWarnings()
+{
+  this->Listener->TakeWarnings();
+}
+
 } // namespace lambent::command

@@ -45,6 +45,9 @@ public:
   /// Say the warnings since the last call, each once and prefixed; or drop them if not wanted.
   void FlushWarnings(const std::string& about);
 
+  /// Forget the warnings since the last call.
+  void DropWarnings();
+
 private:
   class Window;
   Window* Listener;

@@ -72,8 +72,8 @@ void AddFiles(CLI::App& app, Options& options)
     ->required()
     ->type_name("FILE");
   AddValue(app, "--size", "WxH", options.size, ParseSize, "pixels [1920x1080]");
-  AddValue(app, "--background", "COLOUR", options.background, ParseColor,
-    "where no surface is [black]");
+  AddValue(
+    app, "--background", "COLOUR", options.background, ParseColor, "where no surface is [black]");
 }
 
 void AddCamera(CLI::App& app, Options& options)
@@ -167,8 +167,8 @@ void CheckOutput(const Options& options)
 {
   if (options.output != "-" && !PictureKindOf(options.output))
   {
-    throw CLI::ValidationError("--output",
-      "'" + options.output + "' does not end in one of " + PictureExtensions());
+    throw CLI::ValidationError(
+      "--output", "'" + options.output + "' does not end in one of " + PictureExtensions());
   }
 }
 
@@ -202,8 +202,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   catch (const CLI::ParseError& error)
   {
     parsed.exitStatus = 2;
-    parsed.standardError =
-      std::string("lambent: ") + error.what() + "\nTry 'lambent --help'.\n";
+    parsed.standardError = std::string("lambent: ") + error.what() + "\nTry 'lambent --help'.\n";
   }
   return parsed;
 }

@@ -124,7 +124,8 @@ PlyHeader ParsePlyHeader(std::string_view file)
       header.elements.back().properties.push_back(ReadProperty(words));
     }
     // Anything else is a comment, or from a later version.
-    if (words.fail() && !keyword.empty() && keyword != "comment" && keyword != "obj_info")
+    const bool isRead = keyword == "format" || keyword == "element" || keyword == "property";
+    if (isRead && (words.fail() || (keyword != "format" && !(words >> std::ws).eof())))
     {
       throw Failure("line " + std::to_string(lineNumber + 1) + " of its header is not whole");
     }

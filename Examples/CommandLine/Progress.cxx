@@ -49,8 +49,7 @@ void Progress::Follow(vtkAlgorithm* algorithm)
 {
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* self, void*)
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* self, void*)
     { static_cast<Progress*>(self)->Update(static_cast<vtkAlgorithm*>(caller)->GetProgress()); });
   algorithm->AddObserver(vtkCommand::ProgressEvent, observer);
 }

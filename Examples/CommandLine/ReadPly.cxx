@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadPly.h"
+#include "FileBytes.h"
 #include "Messages.h"
 #include "PlyCursor.h"
 #include "PlyHeader.h"
@@ -18,11 +19,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <limits>
-#include <memory>
 
 namespace lambent::command
 {
@@ -30,33 +27,6 @@ namespace
 {
 
 using ProgressFunction = std::function<void(double)>;
-
-/// The bytes of a file, and a zero byte behind them.
-struct FileBytes
-{
-  std::unique_ptr<char[]> data;
-  std::size_t size = 0;
-};
-
-FileBytes ReadWhole(const std::string& path)
-{
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-    std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file || std::fseek(file.get(), 0, SEEK_END) != 0)
-  {
-    throw Failure(std::strerror(errno));
-  }
-  FileBytes bytes;
-  bytes.size = static_cast<std::size_t>(std::ftell(file.get()));
-  bytes.data.reset(new char[bytes.size + 1]); // not make_unique: it would fill with zeros first
-  std::rewind(file.get());
-  if (std::fread(bytes.data.get(), 1, bytes.size, file.get()) != bytes.size)
-  {
-    throw Failure("it cannot be read to its end");
-  }
-  bytes.data[bytes.size] = '\0';
-  return bytes;
-}
 
 std::size_t Find(const PlyElement& element, const std::string& name)
 {
@@ -68,16 +38,16 @@ std::size_t Find(const PlyElement& element, const std::string& name)
 /// Goes through an element: for each item, for each of its properties, sink.Begin(property,
 /// number of values) and sink.Value(property, value) for each value; then sink.EndItem().
 template <typename Sink>
-void Walk(PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress,
-  Sink& sink)
+void Walk(
+  PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress, Sink& sink)
 {
   std::size_t item = 0;
   const auto require = [&](bool isThere)
   {
     if (!isThere)
     {
-      throw Failure("it is cut short: it ends within " + element.name + " " +
-        std::to_string(item) + " of " + std::to_string(element.count));
+      throw Failure("it is cut short: it ends within " + element.name + " " + std::to_string(item) +
+        " of " + std::to_string(element.count));
     }
   };
   for (; item < element.count && !element.properties.empty(); ++item)
@@ -137,8 +107,8 @@ struct VertexSink
 };
 
 template <typename PointArray>
-void ReadVertices(PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress,
-  vtkPolyData* mesh)
+void ReadVertices(
+  PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress, vtkPolyData* mesh)
 {
   VertexSink<PointArray> sink;
   sink.slotOfProperty.assign(element.properties.size(), 6);
@@ -211,8 +181,8 @@ struct FaceSink
 };
 
 template <typename IdArray>
-void ReadFaces(PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress,
-  vtkPolyData* mesh)
+void ReadFaces(
+  PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress, vtkPolyData* mesh)
 {
   FaceSink<IdArray> sink;
   sink.list = std::min(Find(element, "vertex_indices"), Find(element, "vertex_index"));
@@ -227,7 +197,8 @@ void ReadFaces(PlyCursor& cursor, const PlyElement& element, const ProgressFunct
   sink.offsets = offsets;
   sink.connectivity = connectivity;
   Walk(cursor, element, progress, sink);
-  offsets->InsertNextValue(static_cast<typename IdArray::ValueType>(connectivity->GetNumberOfValues()));
+  offsets->InsertNextValue(
+    static_cast<typename IdArray::ValueType>(connectivity->GetNumberOfValues()));
   vtkNew<vtkCellArray> polygons;
   polygons->SetData(offsets, connectivity);
   mesh->SetPolys(polygons);
@@ -257,12 +228,11 @@ bool HasDoubleCoordinates(const PlyElement& element)
 
 vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path, const ProgressFunction& progress)
 {
-  const FileBytes file = ReadWhole(path);
-  const PlyHeader header = ParsePlyHeader({ file.data.get(), file.size });
-  PlyCursor cursor(
-    file.data.get() + header.bodyOffset, file.data.get() + file.size, header.format);
+  const FileBytes file(path);
+  const PlyHeader header = ParsePlyHeader(file.view());
+  PlyCursor cursor(file.begin() + header.bodyOffset, file.end(), header.format);
   // A file of less than 2 GB cannot hold more than 2^31 - 1 ids; they then take half the room.
-  const bool idsAreShort = file.size <= std::numeric_limits<vtkTypeInt32>::max();
+  const bool idsAreShort = file.size() <= std::numeric_limits<vtkTypeInt32>::max();
 
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
   for (const PlyElement& element : header.elements)
@@ -271,13 +241,13 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path, const ProgressFunc
     if (element.name == "vertex")
     {
       const bool isDouble = HasDoubleCoordinates(element);
-      (isDouble ? ReadVertices<vtkDoubleArray> : ReadVertices<vtkFloatArray>)(
-        cursor, element, progress, mesh);
+      (isDouble ? ReadVertices<vtkDoubleArray> : ReadVertices<vtkFloatArray>)(cursor, element,
+        progress, mesh);
     }
     else if (element.name == "face")
     {
-      (idsAreShort ? ReadFaces<vtkTypeInt32Array> : ReadFaces<vtkTypeInt64Array>)(
-        cursor, element, progress, mesh);
+      (idsAreShort ? ReadFaces<vtkTypeInt32Array> : ReadFaces<vtkTypeInt64Array>)(cursor, element,
+        progress, mesh);
     }
     else
     {

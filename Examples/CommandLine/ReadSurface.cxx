@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadSurface.h"
+#include "CheckLegacyVtk.h"
 #include "FileKinds.h"
 #include "Messages.h"
 #include "Progress.h"
@@ -137,6 +138,7 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
     case MeshKind::Vtu:
       return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
     case MeshKind::LegacyVtk:
+      CheckLegacyVtk(path);
       return Read<vtkGenericDataObjectReader>(path, messages, progress);
     case MeshKind::Obj:
       CheckObj(path);

@@ -95,8 +95,9 @@ void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
   const Triple side = UnitVector(options.direction.value_or(Triple{ 0, 0, 1 }));
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(side.data());
-  camera->SetViewUp(options.viewUp.value_or(UpFor(side)).data());
   tracer->ResetCamera();
+  // Afterwards: a view-up that makes no sense must be an error, which resetting would mend.
+  camera->SetViewUp(options.viewUp.value_or(UpFor(side)).data());
 
   const Triple center = FocalPoint(camera);
   Triple toEye = Position(camera) - center;

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -81,7 +81,8 @@ TemporaryFile::TemporaryFile(const std::string& target)
 {
   const std::filesystem::path resolved = Resolve(target);
   this->Target = resolved.string();
-  this->Path = (resolved.parent_path() / (".lambent-" + std::to_string(getpid()) + ".part")).string();
+  this->Path =
+    (resolved.parent_path() / (".lambent-" + std::to_string(getpid()) + ".part")).string();
   RemoveOnSignal(this->Path);
   const int file = open(this->Path.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0666);
   if (file < 0)

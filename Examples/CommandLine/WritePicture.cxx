@@ -13,16 +13,16 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPNMWriter.h"
+#include "vtkTIFFReader.h"
 #include "vtkTIFFWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
-#include <filesystem>
-#include <fstream>
 #include <unistd.h>
 
 namespace lambent::command
@@ -105,23 +105,41 @@ private:
   int Kept;
 };
 
-/// libtiff prints its errors, and those of its last writes vtkTIFFWriter does not hear of. So the
-/// strips are not compressed, and their number tells whether they are all there; the place of the
-/// directory, at bytes 4 to 7, is written last.
+/// Whether two pictures are the same, one perhaps upside down: vtkTIFFReader turns them.
+bool IsSame(vtkImageData* a, vtkImageData* b)
+{
+  const int* const size = a->GetDimensions();
+  if (!std::equal(size, size + 3, b->GetDimensions()) || b->GetScalarType() != a->GetScalarType() ||
+    b->GetNumberOfScalarComponents() != a->GetNumberOfScalarComponents())
+  {
+    return false;
+  }
+  const std::size_t bytes =
+    static_cast<std::size_t>(size[0]) * a->GetNumberOfScalarComponents() * a->GetScalarSize();
+  bool isSame = true;
+  bool isSameTurned = true;
+  for (int j = 0; j < size[1]; ++j)
+  {
+    const void* const row = a->GetScalarPointer(0, j, 0);
+    isSame &= std::memcmp(row, b->GetScalarPointer(0, j, 0), bytes) == 0;
+    isSameTurned &= std::memcmp(row, b->GetScalarPointer(0, size[1] - 1 - j, 0), bytes) == 0;
+  }
+  return isSame || isSameTurned;
+}
+
+/// libtiff prints its errors, and of those when the file is closed vtkTIFFWriter does not hear. So
+/// the file is read again.
 void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
 {
+  const SilentStandardError silence;
   vtkNew<vtkTIFFWriter> writer;
   writer->SetCompressionToNoCompression();
-  {
-    const SilentStandardError silence;
-    WriteThrough(writer.Get(), file, image, messages);
-  }
-  const auto strips = static_cast<std::uintmax_t>(image->GetNumberOfPoints()) *
-    static_cast<std::uintmax_t>(image->GetNumberOfScalarComponents());
-  char start[8] = {};
-  std::ifstream(file.GetPath(), std::ios::binary).read(start, sizeof(start));
-  if (std::filesystem::file_size(file.GetPath()) <= strips + sizeof(start) ||
-    std::memcmp(start + 4, "\0\0\0\0", 4) == 0)
+  WriteThrough(writer.Get(), file, image, messages);
+
+  vtkNew<vtkTIFFReader> reader;
+  reader->SetFileName(file.GetPath().c_str());
+  reader->Update();
+  if (!messages.TakeError().empty() || !IsSame(image, reader->GetOutput()))
   {
     throw Failure("the disk is full, or the file too large for it; make room");
   }

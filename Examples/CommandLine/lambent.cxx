@@ -24,8 +24,10 @@
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <thread>
 
 namespace
 {
@@ -80,8 +82,7 @@ void AddNormals(const Options& options, Meshes& meshes, VtkMessages& messages, P
     {
       throw Failure("cannot compute normals of '" + options.inputs[i] + "': " + error);
     }
-    progress.Erase();
-    messages.FlushWarnings("'" + options.inputs[i] + "': ");
+    messages.DropWarnings(); // of cells that cannot be drawn; the ray tracer says the same
     meshes[i] = normals->GetOutput();
   }
 }
@@ -128,7 +129,9 @@ void Run(const Options& options)
   Progress progress(!options.quiet);
   if (options.threads > 0)
   {
-    vtkSMPTools::Initialize(options.threads);
+    // More threads than the machine runs at once bring nothing but a complaint of TBB's.
+    const int most = static_cast<int>(std::thread::hardware_concurrency());
+    vtkSMPTools::Initialize(most > 0 ? std::min(options.threads, most) : options.threads);
   }
   CheckPicturePlace(options.output);
 

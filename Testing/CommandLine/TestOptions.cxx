@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Options.h"
+
+#include <gtest/gtest.h>
+
+using namespace lambent::command;
+
+namespace
+{
+
+Parsed Parse(std::vector<const char*> arguments)
+{
+  arguments.insert(arguments.begin(), "lambent");
+  return ParseOptions(static_cast<int>(arguments.size()), arguments.data(), "lambent 1.2.3");
+}
+
+} // namespace
+
+TEST(Options, Defaults)
+{
+  const Parsed parsed = Parse({ "a.ply", "b.vtp", "-o", "x.png" });
+  ASSERT_FALSE(parsed.exitStatus) << parsed.standardError;
+  const Options& options = parsed.options;
+  EXPECT_EQ(options.inputs, (std::vector<std::string>{ "a.ply", "b.vtp" }));
+  EXPECT_EQ(options.output, "x.png");
+  EXPECT_EQ(options.size, (std::array<int, 2>{ 1920, 1080 }));
+  EXPECT_FALSE(options.cameraPosition || options.focalPoint || options.viewUp ||
+    options.direction || options.viewAngle || options.parallelScale || options.ambientColor);
+  EXPECT_EQ(options.zoom, 1);
+  EXPECT_TRUE(options.lights.empty());
+  EXPECT_EQ(options.shading, Shading::Smooth);
+  EXPECT_EQ(options.ambientModel, AmbientModel::PerLight);
+  EXPECT_EQ(options.diffuse, 1);
+  EXPECT_EQ(options.ambient, 0);
+  EXPECT_EQ(options.threads, 0);
+  EXPECT_FALSE(options.quiet || options.verbose);
+}
+
+TEST(Options, LightsKeepTheirOrderAndLeaveTheInputsAlone)
+{
+  const Parsed parsed = Parse({ "--light", "position=1,2,3", "a.ply", "--headlight", "--light",
+    "direction=0,0,1", "b.ply", "-o", "-" });
+  ASSERT_FALSE(parsed.exitStatus) << parsed.standardError;
+  EXPECT_EQ(parsed.options.inputs, (std::vector<std::string>{ "a.ply", "b.ply" }));
+  EXPECT_EQ(parsed.options.output, "-");
+  ASSERT_EQ(parsed.options.lights.size(), 3u);
+  const auto count = [&parsed](LightValue::Kind kind)
+  {
+    return std::count_if(parsed.options.lights.begin(), parsed.options.lights.end(),
+      [kind](const LightValue& light) { return light.kind == kind; });
+  };
+  EXPECT_EQ(count(LightValue::Kind::Positional), 1);
+  EXPECT_EQ(count(LightValue::Kind::Headlight), 1);
+  EXPECT_EQ(count(LightValue::Kind::Directional), 1);
+}
+
+TEST(Options, NegativeNumbersAreNotOptions)
+{
+  const Parsed parsed = Parse({ "a.ply", "-o", "x.png", "--direction", "-1,-2,-3", "--view-up",
+    "-.5,0,1", "--focal-point=-1,0,0" });
+  ASSERT_FALSE(parsed.exitStatus) << parsed.standardError;
+  EXPECT_EQ(parsed.options.direction, (Triple{ -1, -2, -3 }));
+  EXPECT_EQ(parsed.options.viewUp, (Triple{ -0.5, 0, 1 }));
+}
+
+TEST(Options, VersionAndHelp)
+{
+  const Parsed version = Parse({ "--version" });
+  EXPECT_EQ(version.exitStatus, 0);
+  EXPECT_EQ(version.standardOutput, "lambent 1.2.3\n");
+  EXPECT_EQ(version.standardError, "");
+  const Parsed help = Parse({ "--help" });
+  EXPECT_EQ(help.exitStatus, 0);
+  EXPECT_NE(help.standardOutput.find("--camera-position"), std::string::npos);
+}
+
+TEST(Options, WrongUsageIsOneLineAndAHint)
+{
+  const Parsed parsed = Parse({ "a.ply", "-o", "x.png", "--zoom", "nan" });
+  EXPECT_EQ(parsed.exitStatus, 2);
+  EXPECT_EQ(parsed.standardOutput, "");
+  EXPECT_EQ(
+    parsed.standardError, "lambent: --zoom: 'nan' is not a finite number\nTry 'lambent --help'.\n");
+}

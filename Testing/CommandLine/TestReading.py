@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every kind of mesh gives the same picture; every kind of bad file gives status 1 and one line."""
+
+import os
+import unittest
+
+import commandline as make
+from commandline import CommandTest, SQUARE, TETRAHEDRON
+
+VIEW = ("--direction", "1,2,3", "--size", "64x48")
+
+CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+CUBE_FACES = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
+VOXEL = 11  # points in the order of x, then y, then z
+
+
+def moved(mesh, x):
+    points, faces = mesh
+    return [(point[0] + x, point[1], point[2]) for point in points], faces
+
+
+KINDS = {
+    "text.vtp": make.vtp(TETRAHEDRON),
+    "double.vtp": make.vtp(TETRAHEDRON, "Float64"),
+    "text.vtk": make.vtk_text(TETRAHEDRON),
+    "binary.vtk": make.vtk_binary(TETRAHEDRON),
+    "text.ply": make.ply_text(TETRAHEDRON),
+    "little.ply": make.ply_binary(TETRAHEDRON, "<"),
+    "big.ply": make.ply_binary(TETRAHEDRON, ">"),
+    "double.ply": make.ply_binary(TETRAHEDRON, "<", "double"),
+    "text.stl": make.stl_text(TETRAHEDRON),
+    "binary.stl": make.stl_binary(TETRAHEDRON),
+    "text.obj": make.obj(TETRAHEDRON),
+}
+
+
+class TestReading(CommandTest):
+
+    def picture(self, *arguments):
+        return self.succeed(*arguments, *VIEW, "-o", "-")
+
+    def fail_to_read(self, name):
+        line = self.fail_with(1, name, "-o", "x.png")
+        self.assertIn("cannot read '" + name + "': ", line)
+        self.assertNotIn("0x", line)  # no address, and
+        self.assertNotIn(".cxx", line)  # no source of VTK
+        return line
+
+    def test_every_kind_gives_the_same_picture(self):
+        for shading in ("flat", "smooth"):
+            pictures = {}
+            for name, content in KINDS.items():
+                self.write(name, content)
+                pictures.setdefault(self.picture(name, "--shading", shading), []).append(name)
+            self.assertEqual(len(pictures), 1, pictures.values())
+
+    def test_extensions_in_upper_case(self):
+        self.write("a.OBJ", make.obj(TETRAHEDRON))
+        self.write("a.obj", make.obj(TETRAHEDRON))
+        self.assertEqual(self.picture("a.OBJ"), self.picture("a.obj"))
+
+    def test_volumes_by_their_outer_surface(self):
+        # Two cubes side by side, each as a voxel; the wall between them is not drawn.
+        points = CUBE + [(x + 1, y, z) for x, y, z in CUBE if x == 1]
+        cells = [tuple(range(8)), (1, 8, 3, 9, 5, 10, 7, 11)]
+        self.write("volume.vtk", make.vtk_grid(points, cells, VOXEL))
+        self.write("volume.vtu", make.vtu(points, cells, VOXEL))
+        box = [(2 * x, y, z) for x, y, z in CUBE]
+        self.write("box.obj", make.obj((box, CUBE_FACES)))
+        expected = self.picture("box.obj", "--shading", "flat")
+        self.assertEqual(self.picture("volume.vtk", "--shading", "flat"), expected)
+        self.assertEqual(self.picture("volume.vtu", "--shading", "flat"), expected)
+
+    def test_several_inputs_are_one_scene(self):
+        self.write("left.obj", make.obj(TETRAHEDRON))
+        self.write("right.ply", make.ply_text(moved(TETRAHEDRON, 3)))
+        points = TETRAHEDRON[0] + moved(TETRAHEDRON, 3)[0]
+        faces = TETRAHEDRON[1] + [tuple(i + 4 for i in face) for face in TETRAHEDRON[1]]
+        self.write("both.vtp", make.vtp((points, faces)))
+        both = self.picture("both.vtp")
+        self.assertEqual(self.picture("left.obj", "right.ply"), both)
+        self.assertEqual(self.picture("right.ply", "left.obj"), both)
+        self.assertNotEqual(self.picture("left.obj"), both)
+
+    def test_double_coordinates_are_not_narrowed(self):
+        # 1e7 and a triangle of 1e-3 beside it: as float it would have no extent.
+        points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
+        self.write("far.ply", make.ply_text((points, [(0, 1, 2)]), "double"))
+        self.write("far.vtp", make.vtp((points, [(0, 1, 2)]), "Float64"))
+        view = ("--camera-position", "10000000.00025,10000000.00025,1", "--focal-point",
+                "10000000.00025,10000000.00025,0", "--parallel-scale", "0.0001")
+        self.assertEqual(self.pixels("far.ply", *view), [[(255, 255, 255)] * 9] * 9)
+        self.assertEqual(self.picture("far.ply"), self.picture("far.vtp"))
+
+    def test_point_normals_of_the_file_are_used(self):
+        header = ("ply\nformat ascii 1.0\nelement vertex 4\n" +
+                  "".join("property float %s\n" % name for name in
+                          ("x", "confidence", "y", "z", "nx", "ny", "nz")) +
+                  "element edge 1\nproperty int a\nproperty list uchar int b\n"
+                  "element face 1\nproperty uchar flags\n"
+                  "property list uint8 uint32 vertex_index\nend_header\n")
+        for normal, value in (((0, 0, 1), 255), ((0, 0.8, 0.6), 153)):
+            body = "".join("%r 7 %r %r %r %r %r\n" % (*point, *normal) for point in SQUARE[0])
+            self.write("normals.ply", header + body + "5 2 0 1\n9 4 0 1 2 3\n")
+            # A light along -z on a normal (0, 0.8, 0.6): the cosine is 0.6.
+            center = self.center("normals.ply", "--light", "direction=0,0,-1")
+            self.assertEqual(center, (value, value, value))
+
+    def test_cut_short(self):
+        for name, content in KINDS.items():
+            whole = content if isinstance(content, bytes) else content.encode()
+            extension = name[name.index("."):]
+            for part in (0.02, 0.2, 0.5, 0.8, 0.95):
+                self.write("cut" + extension, whole[:int(part * len(whole))])
+                if extension == ".obj" and part > 0.2:
+                    continue  # an OBJ file does not tell how much there should be
+                self.fail_to_read("cut" + extension)
+
+    def test_an_obj_that_ends_within_a_line_brings_a_warning(self):
+        self.write("cut.obj", make.obj(TETRAHEDRON)[:-1])
+        done = self.run_command("cut.obj", "-o", "x.png", "--size", "8x8")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertIn(b"warning: 'cut.obj': ", done.stderr)
+        self.assertIn(b"cut short", done.stderr)
+
+    def test_not_a_mesh(self):
+        for extension in (".vtp", ".vtu", ".vtk", ".ply", ".stl", ".obj"):
+            self.write("text" + extension, "Dear reader,\nthis is a letter.\n" * 20)
+            self.fail_to_read("text" + extension)
+            self.write("bytes" + extension, bytes(range(256)) * 20)
+            self.fail_to_read("bytes" + extension)
+            self.write("empty" + extension, b"")
+            self.assertIn("empty", self.fail_to_read("empty" + extension))
+
+    def test_a_kind_under_the_name_of_another(self):
+        self.write("mesh.ply", make.stl_binary(TETRAHEDRON))
+        self.assertIn("'ply'", self.fail_to_read("mesh.ply"))
+        self.write("mesh.vtp", make.vtu(CUBE, [tuple(range(8))], VOXEL))
+        self.fail_to_read("mesh.vtp")
+
+    def test_no_such_file(self):
+        self.assertIn("no such file", self.fail_to_read("missing.ply"))
+        os.mkdir(self.path("folder.ply"))
+        self.assertIn("folder", self.fail_to_read("folder.ply"))
+        self.write("letter.txt", "Dear reader")
+        self.assertIn(".vtp .vtk", self.fail_to_read("letter.txt"))
+        os.mkfifo(self.path("pipe.ply"))
+        self.fail_to_read("pipe.ply")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may read everything")
+    def test_unreadable(self):
+        self.write("secret.ply", make.ply_text(SQUARE))
+        os.chmod(self.path("secret.ply"), 0)
+        self.assertIn("ermission", self.fail_to_read("secret.ply"))
+
+    def test_points_that_do_not_exist(self):
+        wrong = SQUARE[0], [(0, 1, 2), (0, 2, 4)]
+        negative = SQUARE[0], [(0, 1, 2), (0, 2, -1)]
+        for name, content in (("a.ply", make.ply_text(wrong)), ("b.ply", make.ply_text(negative)),
+                              ("c.vtp", make.vtp(wrong)), ("d.vtp", make.vtp(negative)),
+                              ("e.vtk", make.vtk_text(wrong)), ("f.vtk", make.vtk_binary(negative)),
+                              ("g.vtu", make.vtu(CUBE, [(0, 1, 2, 3, 4, 5, 6, 8)], VOXEL))):
+            self.write(name, content)
+            self.assertIn("does not exist", self.fail_to_read(name))
+
+    def test_counts_that_no_file_could_hold(self):
+        text = make.ply_text(SQUARE)
+        for old, new in (("vertex 4", "vertex 4000000000"), ("face 2", "face 1e18"),
+                         ("face 2", "face 99999999999999999999"), ("vertex 4", "vertex -4"),
+                         ("vertex 4", "vertex"), ("3 0 1 2", "2000000000 0 1 2"),
+                         ("3 0 1 2", "-3 0 1 2"), ("float x", "strange x"), ("float x", "float q"),
+                         ("ascii", "ebcdic"), ("format ascii 1.0\n", ""), ("vertex_indices", "v"),
+                         ("element vertex", "element corner")):
+            self.assertIn(old, text)
+            self.write("wrong.ply", text.replace(old, new))
+            self.fail_to_read("wrong.ply")
+
+    def test_the_first_bad_input_is_named(self):
+        self.write("good.obj", make.obj(SQUARE))
+        line = self.fail_with(1, "good.obj", "bad.obj", "worse.obj", "-o", "x.png")
+        self.assertIn("'bad.obj'", line)
+
+    def test_no_polygons_give_the_background(self):
+        self.write("points.ply", make.ply_text((SQUARE[0], [])))
+        done = self.run_command("points.ply", "-o", "x.pnm", "--size", "3x3",
+                                "--background", "1,0,0")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertIn(b"no polygons", done.stderr)
+        self.assertEqual(make.read_pnm(self.read("x.pnm")), [[(255, 0, 0)] * 3] * 3)
+
+
+class TestDragon(CommandTest):
+
+    def test_dragon(self):
+        dragon = os.path.join(os.environ.get("LAMBENT_SHARED_DATA_DIR", ""), "dragon.ply")
+        if not os.path.exists(dragon):
+            self.skipTest("there is no dragon.ply here")
+        done = self.run_command(dragon, "-o", "x.pnm", "--size", "192x108", "--verbose")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(b"triangles  871414\n", done.stderr)
+        rows = make.read_pnm(self.read("x.pnm"))
+        lit = sum(pixel != (0, 0, 0) for row in rows for pixel in row)
+        self.assertGreater(lit, 192 * 108 // 10)
+        self.assertEqual(rows[0], [(0, 0, 0)] * 192)  # it fits
+
+
+if __name__ == "__main__":
+    unittest.main()

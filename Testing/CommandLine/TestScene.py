@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Camera, lights and surface do what their options say; expected values are worked out by hand.
+
+The square spans -1..1 in x and y at z = 0. A picture has 9 x 9 pixels, so that one of them has its
+centre on the axis of the view.
+"""
+
+import math
+import unittest
+
+from commandline import CommandTest, SQUARE, TETRAHEDRON, obj
+
+WHITE = (255, 255, 255)
+BLACK = (0, 0, 0)
+
+
+def byte(value):
+    return math.floor(255 * min(max(value, 0), 1) + 0.5)
+
+
+class TestCamera(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+        self.write("mesh.obj", obj(TETRAHEDRON))
+
+    def covered(self, *arguments):
+        """Which of the columns and rows show the square, unlit so that every hit is white."""
+        rows = self.pixels("square.obj", "--shading", "unlit", *arguments)
+        self.assertLessEqual({pixel for row in rows for pixel in row}, {WHITE, BLACK})
+        columns = [i for i in range(9) if any(row[i] == WHITE for row in rows)]
+        return columns, [j for j in range(9) if WHITE in rows[j]]
+
+    def picture(self, *arguments):
+        return self.succeed("mesh.obj", "-o", "-", "--size", "32x24", *arguments)
+
+    def test_parallel_scale(self):
+        # The picture is 2 s high, a pixel 2 s / 9; pixel i has its centre at (i - 4) 2 s / 9.
+        self.assertEqual(self.covered("--parallel-scale", "4.5"), ([3, 4, 5], [3, 4, 5]))
+        self.assertEqual(self.covered("--parallel-scale", "2"), ([2, 3, 4, 5, 6], [2, 3, 4, 5, 6]))
+        self.assertEqual(self.covered("--parallel-scale", "9", "--zoom", "2"),
+                         self.covered("--parallel-scale", "4.5"))
+
+    def test_perspective_position(self):
+        # 90 degrees at a distance of 4.5: the view is 9 high there, a pixel 1.
+        near = ("--camera-position", "0,0,4.5", "--view-angle", "90")
+        self.assertEqual(self.covered(*near), ([3, 4, 5], [3, 4, 5]))
+        # Towards another point at the same depth: the square moves to the left and down.
+        self.assertEqual(self.covered("--camera-position", "2,1,4.5", "--focal-point", "2,1,0",
+                                      "--view-angle", "90"), ([1, 2, 3], [4, 5, 6]))
+
+    def test_zoom_divides_the_angle(self):
+        self.assertEqual(self.picture("--camera-position", "1,2,9", "--view-angle", "40",
+                                      "--zoom", "2"),
+                         self.picture("--camera-position", "1,2,9", "--view-angle", "20"))
+
+    def test_default_is_from_plus_z(self):
+        self.assertEqual(self.picture(), self.picture("--direction", "0,0,1"))
+        self.assertEqual(self.picture("--direction", "0,0,5"), self.picture())
+        self.assertNotEqual(self.picture("--direction", "0,0,-1"), self.picture())
+
+    def test_default_frames_the_bounding_sphere(self):
+        # Radius sqrt(2), so the distance is sqrt(2) / sin(15 degrees).
+        distance = math.sqrt(2) / math.sin(math.radians(15))
+        self.assertEqual(self.covered(),
+                         self.covered("--camera-position", "0,0,%r" % distance))
+        wide = math.sqrt(2) / math.sin(math.radians(45))
+        self.assertEqual(self.covered("--view-angle", "90"),
+                         self.covered("--view-angle", "90", "--camera-position", "0,0,%r" % wide))
+
+    def test_all_is_in_view_from_every_side_and_at_every_angle(self):
+        for size in ("90x40", "40x90"):
+            for direction in ("1,1,1", "-3,1,-2", "0,1,0", "0,-2,0", "1,0,0"):
+                for angle in ("5", "30", "120"):
+                    self.succeed("mesh.obj", "-o", "x.pnm", "--size", size, "--direction",
+                                 direction, "--view-angle", angle, "--shading", "unlit")
+                    body = self.read("x.pnm")[-3 * 90 * 40:]
+                    width = 3 * int(size.split("x")[0])
+                    rows = [body[i:i + width] for i in range(0, len(body), width)]
+                    edge = rows[0] + rows[-1] + b"".join(r[:3] + r[-3:] for r in rows)
+                    self.assertEqual(set(edge), {0}, (size, direction, angle))
+                    self.assertIn(255, body)
+
+    def test_view_up(self):
+        self.assertEqual(self.picture("--direction", "0,0,1", "--view-up", "0,1,0"), self.picture())
+        self.assertEqual(self.picture("--direction", "0,1,0"),
+                         self.picture("--direction", "0,1,0", "--view-up", "0,0,1"))
+        self.assertNotEqual(self.picture("--view-up", "1,0,0"), self.picture())
+
+    def test_view_up_along_the_view(self):
+        line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--view-up", "0,0,1")
+        self.assertIn("cannot render: ", line)
+
+    def test_focal_point_alone_moves_the_eye_along(self):
+        # At 9 pixels and 30 degrees a move by one width of the square shows at its left edge.
+        columns, rows = self.covered("--focal-point", "1,0,0")
+        centered = self.covered()
+        self.assertEqual(rows, centered[1])
+        self.assertLess(columns[0], centered[0][0])
+
+
+class TestLight(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+
+    def lit(self, *arguments):
+        # From far away, narrow: the ray through the middle pixel is the z axis.
+        return self.center("square.obj", "--camera-position", "0,0,10", *arguments)
+
+    def test_headlight_is_the_default(self):
+        self.assertEqual(self.lit(), WHITE)
+        self.assertEqual(self.lit("--headlight"), WHITE)
+
+    def test_direction_is_the_way_of_the_light(self):
+        self.assertEqual(self.lit("--light", "direction=0,0,-1"), WHITE)
+        self.assertEqual(self.lit("--light", "direction=0,0,1"), BLACK)  # from behind
+        value = byte(0.6)
+        self.assertEqual(self.lit("--light", "direction=4,0,-3"), (value, value, value))
+
+    def test_position(self):
+        value = byte(2 / 3)  # (1,2,2) has length 3
+        self.assertEqual(self.lit("--light", "position=1,2,2"), (value, value, value))
+        # It shines in all directions: behind it, too.
+        self.assertEqual(self.lit("--light", "position=0,0,1;focal=0,0,2"), WHITE)
+
+    def test_cone(self):
+        spot = "position=0,0,2;cone=20;focal="
+        self.assertEqual(self.lit("--light", spot + "0,0,0"), WHITE)
+        self.assertEqual(self.lit("--light", spot + "2,0,0"), BLACK)  # 45 degrees off
+        self.assertEqual(self.lit("--light", "position=0,0,2;cone=20"), WHITE)  # at the focal point
+        value = byte(0.8 ** 2)  # the cosine between (-4,0,-3) x 0.5 and the aim, squared
+        self.assertEqual(self.lit("--light", "position=0,0,3;cone=60;exponent=2;focal=2.25,0,0"),
+                         (value, value, value))
+
+    def test_attenuation(self):
+        value = byte(1 / (0.5 + 0.25 * 2 + 0.125 * 4))
+        self.assertEqual(self.lit("--light", "position=0,0,2;attenuation=0.5,0.25,0.125"),
+                         (value, value, value))
+
+    def test_color_and_intensity_add_up(self):
+        red = "direction=0,0,-1;color=1,0,0;intensity=0.5"
+        blue = "direction=0,0,-1;color=#0000ff;intensity=0.25"
+        self.assertEqual(self.lit("--light", red, "--light", blue), (byte(0.5), 0, byte(0.25)))
+        self.assertEqual(self.lit("--light", red, "--headlight"), WHITE)
+
+    def test_ambient_models(self):
+        from_behind = ("--light", "direction=0,0,1;intensity=0.5",
+                       "--light", "direction=0,0,2;intensity=0.5", "--ambient", "0.2")
+        for model, value in (("per-light", 0.2), ("scene", 0.2)):
+            gray = byte(value)
+            self.assertEqual(self.lit(*from_behind, "--ambient-model", model), (gray,) * 3)
+        third = (*from_behind, "--light", "direction=0,0,1")
+        self.assertEqual(self.lit(*third), (byte(0.4),) * 3)
+        self.assertEqual(self.lit(*third, "--ambient-model", "scene"), (byte(0.2),) * 3)
+
+
+class TestSurface(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+
+    def lit(self, *arguments):
+        return self.center("square.obj", "--camera-position", "0,0,10", *arguments)
+
+    def test_coefficients(self):
+        self.assertEqual(self.lit("--diffuse", "0.5"), (byte(0.5),) * 3)
+        self.assertEqual(self.lit("--diffuse", "0.5", "--ambient", "0.3"), (byte(0.8),) * 3)
+        self.assertEqual(self.lit("--diffuse", "0", "--ambient", "0"), BLACK)
+
+    def test_color_is_of_both_reflections(self):
+        self.assertEqual(self.lit("--color", "1,0.5,0", "--diffuse", "0.5", "--ambient", "0.25"),
+                         (byte(0.75), byte(0.375), 0))
+        self.assertEqual(self.lit("--color", "1,0.5,0", "--ambient-color", "0,0,1",
+                                  "--diffuse", "0.5", "--ambient", "0.25"),
+                         (byte(0.5), byte(0.25), byte(0.25)))
+
+    def test_ways_to_say_a_color(self):
+        for color in ("#ff6347", "#FF6347", "tomato", "Tomato"):
+            self.assertEqual(self.lit("--color", color, "--shading", "unlit"), (255, 99, 71))
+            corner = self.pixels("square.obj", "--background", color, "--zoom", "0.5")[0][0]
+            self.assertEqual(corner, (255, 99, 71))
+
+    def test_unlit(self):
+        self.assertEqual(self.lit("--shading", "unlit", "--color", "0.2,0.4,0.6", "--light",
+                                  "direction=0,0,1"), (byte(0.2), byte(0.4), byte(0.6)))
+
+    def test_flat_and_smooth(self):
+        # A ridge along y, its sides at 45 degrees: flat, both sides have the cosine sqrt(1/2);
+        # smooth, the ridge itself has a normal along z.
+        points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
+        self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
+        view = ("ridge.obj", "--parallel-scale", "0.9", "--light", "direction=0,0,-1")
+        side = (byte(math.sqrt(0.5)),) * 3
+        self.assertEqual(self.pixels(*view, "--shading", "flat")[4], [side] * 9)
+        smooth = self.pixels(*view)[4]
+        self.assertEqual(smooth[4], WHITE)
+        self.assertEqual([pixel[0] for pixel in smooth[:5]],
+                         sorted({pixel[0] for pixel in smooth}))
+        self.assertEqual(smooth, smooth[::-1])
+
+    def test_threads_do_not_matter(self):
+        self.write("mesh.obj", obj(TETRAHEDRON))
+        pictures = {self.succeed("mesh.obj", "-o", "-", "--threads", n) for n in (1, 2, 3, 8)}
+        self.assertEqual(len(pictures), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

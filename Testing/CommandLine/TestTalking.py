@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the command says: nothing, unless it is asked, something is odd, or it takes its time."""
+
+import os
+import pty
+import subprocess
+import unittest
+
+from commandline import COMMAND, CommandTest, SQUARE, obj, ply_text
+
+ERASE = "\r\x1b[K"
+
+
+class TestTalking(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+
+    def on_terminal(self, *arguments):
+        """What appears on a terminal that is the command's standard error."""
+        leader, follower = pty.openpty()
+        process = subprocess.Popen([COMMAND, *arguments], cwd=self.folder, stderr=follower,
+                                   stdout=subprocess.DEVNULL)
+        os.close(follower)
+        shown = b""
+        while True:
+            try:
+                part = os.read(leader, 4096)
+            except OSError:  # the terminal's other end is closed
+                break
+            if not part:
+                break
+            shown += part
+        os.close(leader)
+        self.assertEqual(process.wait(), 0)
+        return shown.decode()
+
+    LONG = ("square.obj", "-o", "x.png", "--size", "7000x7000")
+    SHORT = ("square.obj", "-o", "x.png", "--size", "70x70")
+
+    def test_progress_bar_on_a_terminal(self):
+        shown = self.on_terminal(*self.LONG)
+        steps = shown.split(ERASE)
+        self.assertEqual(steps[0], "")
+        self.assertEqual(steps[-1], "")  # erased at the end
+        self.assertGreater(len(steps), 2)
+        for step in steps[1:-1]:
+            self.assertRegex(step, r"\A(\[#* *\] +\d+ % [a-z].*)?\Z")
+        self.assertNotIn("\n", shown)
+
+    def test_no_bar_for_short_work(self):
+        self.assertEqual(self.on_terminal(*self.SHORT), "")
+
+    def test_no_bar_when_quiet(self):
+        self.assertEqual(self.on_terminal(*self.LONG, "--quiet"), "")
+
+    def test_no_bar_in_a_pipe(self):
+        self.assertEqual(self.succeed(*self.LONG), b"")
+
+    def test_verbose(self):
+        done = self.run_command(*self.SHORT, "--verbose")
+        self.assertEqual((done.returncode, done.stdout), (0, b""))
+        text = done.stderr.decode()
+        folder = os.path.realpath(self.folder)
+        self.assertRegex(text.replace(folder, "FOLDER"),
+                         r"\Apicture    FOLDER/x.png\n"
+                         r"size       70 x 70\n"
+                         r"triangles  2\n"
+                         r"reading    \d+\.\d ms\n"
+                         r"normals    \d+\.\d ms\n"
+                         r"rendering  \d+\.\d ms\n"
+                         r"writing    \d+\.\d ms\n\Z")
+
+    def test_polygons_count_as_triangles(self):
+        self.write("quad.obj", obj((SQUARE[0], [(0, 1, 2, 3)])))
+        done = self.run_command("quad.obj", "square.obj", "-o", "x.png", "--verbose")
+        self.assertIn(b"\ntriangles  4\n", done.stderr)
+
+    def test_a_warning_is_one_line_unless_quiet(self):
+        points = SQUARE[0] + [(float("nan"), 0, 0)]
+        self.write("nan.ply", ply_text((points, [(0, 1, 2), (0, 2, 4)])))
+        for shading in ("flat", "smooth"):
+            arguments = ("nan.ply", "-o", "x.png", "--size", "9x9", "--shading", shading)
+            done = self.run_command(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (0, b""))
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertRegex(done.stderr, rb"\Alambent: warning: .*finite")
+            self.assertEqual(self.succeed(*arguments, "--quiet"), b"")
+
+    def test_errors_are_said_even_when_quiet(self):
+        self.fail_with(1, "missing.obj", "-o", "x.png", "--quiet")
+        self.fail_with(1, "missing.obj", "-o", "x.png", "--verbose")
+
+
+if __name__ == "__main__":
+    unittest.main()
