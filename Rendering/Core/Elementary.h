@@ -18,6 +18,7 @@
 #ifndef lambent_Elementary_h
 #define lambent_Elementary_h
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambent
@@ -82,7 +83,7 @@ inline double arcSineTail(double z)
  *
  * Domain: [-1, 1]; anything else gives NaN. Accuracy: 1.5 ulp; exact (rounded
  * correctly) at -1, 0 and 1. Made to be called in inner loops: one square root, no
- * division, and choices instead of branches.
+ * division and no branch.
  *
  * Source: acos(x) = pi/2 - asin(x) for |x| <= 1/2, and for larger |x| the half
  * angle, acos(|x|) = 2 asin(sqrt((1 - |x|) / 2)).
@@ -92,15 +93,17 @@ inline double arcCosine(double x)
   constexpr double halfPiHigh = 1.5707963267948966;
   constexpr double halfPiLow = 6.123233995736766e-17;
   const double magnitude = std::fabs(x);
-  const bool isOuter = magnitude > 0.5;
-  const double z = isOuter ? 0.5 * (1.0 - magnitude) : x * x;
-  const double s = isOuter ? std::sqrt(z) : magnitude;
+  // The one that is meant is always the smaller; its root, for |x| <= 1/2, is |x|.
+  const double z = std::min(x * x, 0.5 * (1.0 - magnitude));
+  const double s = std::sqrt(z);
   const double arcSine = s + s * (z * detail::arcSineTail(z));
 
-  // How many quarter turns to start from, and how much of the arc sine to add.
-  const double turns = isOuter ? (x < 0.0 ? 2.0 : 0.0) : 1.0;
-  const double scale = (isOuter ? 2.0 : 1.0) * ((x < 0.0) != isOuter ? 1.0 : -1.0);
-  return turns * halfPiHigh + (scale * arcSine + turns * halfPiLow);
+  // How many quarter turns to start from, and how often to add the arc sine.
+  const double sign = std::copysign(1.0, x);
+  const double outer = static_cast<double>(magnitude > 0.5);
+  const double turns = 1.0 - sign * outer;
+  const double times = sign * (3.0 * outer - 1.0);
+  return turns * halfPiHigh + (times * arcSine + turns * halfPiLow);
 }
 }
 

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief polygons and the triangles of strips, in one list
+ *
+ * First the polygons as they are, then the triangles of each strip. Every second
+ * triangle of a strip names its first two points the other way round, so that all
+ * face the way of the first.
+ */
+#ifndef lambent_MergedFaces_h
+#define lambent_MergedFaces_h
+
+#include "CellView.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace lambent
+{
+struct MergedFaces
+{
+  std::vector<std::int64_t> offsets;
+  std::vector<std::int64_t> connectivity;
+  /// The cell of each face: polygons count from 0, strips on from the last polygon.
+  std::vector<std::int64_t> cells;
+
+  CellSpan span() const
+  {
+    return { { this->offsets.data(), true, this->offsets.size() },
+      { this->connectivity.data(), true, this->connectivity.size() } };
+  }
+};
+
+MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips);
+}
+
+#endif

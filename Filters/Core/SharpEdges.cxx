@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharpEdges.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lambent
+{
+namespace
+{
+constexpr std::size_t PointsPerChunk = 2048;
+
+struct Corner
+{
+  std::int64_t face;
+  std::int64_t place; ///< in the connectivity
+};
+
+/// The corners of point p are corners[begin[p]] to corners[begin[p + 1] - 1].
+struct CornersOfPoints
+{
+  std::vector<std::int64_t> begin;
+  std::vector<Corner> corners;
+};
+
+CornersOfPoints listCorners(const Faces& faces)
+{
+  CornersOfPoints result;
+  result.begin.assign(faces.points.size + 1, 0);
+  visit(faces.cells,
+    [&](auto cells)
+    {
+      const auto count = cells.offsets[cellCount(faces.cells)];
+      result.corners.resize(static_cast<std::size_t>(count));
+      for (auto i = cells.offsets[0]; i < count; ++i)
+      {
+        ++result.begin[cells.corners[i] + 1];
+      }
+      std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+      std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
+      for (std::size_t face = 0; face < cellCount(faces.cells); ++face)
+      {
+        for (auto i = cells.offsets[face]; i < cells.offsets[face + 1]; ++i)
+        {
+          result.corners[next[cells.corners[i]]++] = { static_cast<std::int64_t>(face), i };
+        }
+      }
+    });
+  return result;
+}
+
+/// An edge from the point in question to another one, as a side of a face.
+struct Side
+{
+  std::int64_t otherPoint;
+  int corner; ///< among those of the point
+
+  bool operator<(const Side& other) const
+  {
+    return this->otherPoint != other.otherPoint ? this->otherPoint < other.otherPoint
+                                                : this->corner < other.corner;
+  }
+};
+
+/// The groups of the faces round one point after the other; keeps its memory.
+class Grouping
+{
+public:
+  Grouping(const std::vector<Vec3>& faceNormals, double featureAngle)
+    : FaceNormals(faceNormals)
+    , Cosine(cosDegrees(featureAngle))
+    , NothingIsSharp(featureAngle >= 180.0)
+  {
+  }
+
+  /// Finds the group of each of the corners at a point; returns how many there are.
+  template <typename Cells>
+  int findGroups(const Cells& cells, std::int64_t point, const Corner* corners, int count)
+  {
+    this->Leaders.resize(count);
+    std::iota(this->Leaders.begin(), this->Leaders.end(), 0);
+    this->listSides(cells, point, corners, count);
+    for (auto side = this->Sides.begin(); side != this->Sides.end();)
+    {
+      const auto end = std::find_if(side, this->Sides.end(),
+        [&](const Side& other) { return other.otherPoint != side->otherPoint; });
+      if (end - side == 2 &&
+        this->isSmooth(corners[side[0].corner].face, corners[side[1].corner].face))
+      {
+        this->join(side[0].corner, side[1].corner);
+      }
+      side = end;
+    }
+    return this->numberGroups();
+  }
+
+  int group(int corner) const { return this->Groups[corner]; }
+
+private:
+  template <typename Cells>
+  void listSides(const Cells& cells, std::int64_t point, const Corner* corners, int count)
+  {
+    this->Sides.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      if (i > 0 && corners[i].face == corners[i - 1].face)
+      {
+        this->join(i, i - 1); // a face that comes by twice is one face
+      }
+      const auto begin = cells.offsets[corners[i].face];
+      const auto end = cells.offsets[corners[i].face + 1];
+      const auto place = corners[i].place;
+      const std::int64_t next = cells.corners[place + 1 < end ? place + 1 : begin];
+      const std::int64_t previous = cells.corners[place > begin ? place - 1 : end - 1];
+      for (const std::int64_t other : { next, previous })
+      {
+        if (other != point)
+        {
+          this->Sides.push_back({ other, i });
+        }
+      }
+    }
+    std::sort(this->Sides.begin(), this->Sides.end());
+  }
+
+  bool isSmooth(std::int64_t faceA, std::int64_t faceB) const
+  {
+    const Vec3& a = this->FaceNormals[faceA];
+    const Vec3& b = this->FaceNormals[faceB];
+    if (a == Vec3(0.0) || b == Vec3(0.0))
+    {
+      return false;
+    }
+    return this->NothingIsSharp || dot(a, b) >= this->Cosine;
+  }
+
+  int leader(int corner)
+  {
+    while (this->Leaders[corner] != corner)
+    {
+      // Halving the path keeps points of very many faces fast.
+      this->Leaders[corner] = this->Leaders[this->Leaders[corner]];
+      corner = this->Leaders[corner];
+    }
+    return corner;
+  }
+
+  void join(int a, int b)
+  {
+    const int leaderA = this->leader(a);
+    const int leaderB = this->leader(b);
+    this->Leaders[std::max(leaderA, leaderB)] = std::min(leaderA, leaderB);
+  }
+
+  int numberGroups()
+  {
+    int groups = 0;
+    this->Groups.resize(this->Leaders.size());
+    for (int i = 0; i < static_cast<int>(this->Leaders.size()); ++i)
+    {
+      const int leader = this->leader(i); // never behind i, so it has its number
+      this->Groups[i] = leader == i ? groups++ : this->Groups[leader];
+    }
+    return groups;
+  }
+
+  const std::vector<Vec3>& FaceNormals;
+  const double Cosine;
+  const bool NothingIsSharp;
+  std::vector<Side> Sides;
+  std::vector<int> Leaders;
+  std::vector<int> Groups;
+};
+
+/// The group of each listed corner, and in copyCount[p + 1] how many copies p needs.
+std::vector<int> groupCorners(const Faces& faces, const CornersOfPoints& points,
+  double featureAngle, const Parallel& parallel, std::vector<std::int64_t>& copyCount)
+{
+  std::vector<Vec3> normals(cellCount(faces.cells));
+  visitFaceNormals(
+    faces, parallel, [&](std::size_t face, const Vec3& normal) { normals[face] = normal; });
+
+  std::vector<int> groups(points.corners.size());
+  visit(faces.cells,
+    [&](auto cells)
+    {
+      forEachChunk(parallel, faces.points.size, PointsPerChunk,
+        [&](std::size_t begin, std::size_t end)
+        {
+          Grouping grouping(normals, featureAngle);
+          for (std::size_t point = begin; point < end; ++point)
+          {
+            const std::int64_t first = points.begin[point];
+            const int count = static_cast<int>(points.begin[point + 1] - first);
+            const int found = grouping.findGroups(
+              cells, static_cast<std::int64_t>(point), points.corners.data() + first, count);
+            copyCount[point + 1] = std::max(found - 1, 0);
+            for (int i = 0; i < count; ++i)
+            {
+              groups[first + i] = grouping.group(i);
+            }
+          }
+        });
+    });
+  return groups;
+}
+}
+
+SplitMesh splitSharpEdges(const Faces& faces, double featureAngle, const Parallel& parallel)
+{
+  SplitMesh result;
+  if (cellCount(faces.cells) == 0)
+  {
+    return result;
+  }
+  const std::size_t pointCount = faces.points.size;
+  const CornersOfPoints points = listCorners(faces);
+  std::vector<std::int64_t> firstCopy(pointCount + 1, 0);
+  const std::vector<int> groups = groupCorners(faces, points, featureAngle, parallel, firstCopy);
+  std::partial_sum(firstCopy.begin(), firstCopy.end(), firstCopy.begin());
+
+  result.connectivity.resize(points.corners.size());
+  result.copiedPoints.resize(static_cast<std::size_t>(firstCopy.back()));
+  for (std::size_t point = 0; point < pointCount; ++point)
+  {
+    std::fill(result.copiedPoints.begin() + firstCopy[point],
+      result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(point));
+    for (std::int64_t i = points.begin[point]; i < points.begin[point + 1]; ++i)
+    {
+      result.connectivity[points.corners[i].place] = static_cast<std::int64_t>(
+        groups[i] == 0 ? point : pointCount + firstCopy[point] + groups[i] - 1);
+    }
+  }
+  return result;
+}
+}

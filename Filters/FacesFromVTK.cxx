@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FacesFromVTK.h"
+
+#include "CellBlocks.h"
+
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
+{
+  vtkPoints* points = polyData->GetPoints();
+  if (points && points->GetData()->GetNumberOfComponents() != 3)
+  {
+    std::ostringstream text;
+    text << "The points have " << points->GetData()->GetNumberOfComponents()
+         << " components, not 3. Give vtkPoints an array of 3.";
+    throw std::runtime_error(text.str());
+  }
+  return spans.tuples(points ? points->GetData() : nullptr);
+}
+
+[[noreturn]] void refuse(const lambent::CellDefect& defect, vtkIdType cell, std::size_t points)
+{
+  std::ostringstream text;
+  if (defect.kind == lambent::CellDefect::Offsets)
+  {
+    text << "Cell " << cell
+         << " begins or ends outside of the connectivity of its vtkCellArray. Rebuild the "
+            "array, for instance with InsertNextCell().";
+  }
+  else
+  {
+    text << "Cell " << cell << " names point " << defect.point << ", but there are " << points
+         << " points, counted from 0. Correct the connectivity of its vtkCellArray, or add the "
+            "missing points.";
+  }
+  throw std::runtime_error(text.str());
+}
+}
+
+FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel)
+{
+  this->Faces.points = pointsOf(polyData, this->Spans);
+  vtkCellArray* const arrays[] = { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(),
+    polyData->GetStrips() };
+  lambent::CellSpan lists[4];
+  vtkIdType firstCell = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    lists[i] = this->Spans.cells(arrays[i]);
+    if (const auto defect = lambent::findDefect(lists[i], this->Faces.points.size, parallel))
+    {
+      refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Faces.points.size);
+    }
+    firstCell += static_cast<vtkIdType>(lambent::cellCount(lists[i]));
+  }
+
+  const lambent::CellSpan& polygons = lists[2];
+  const lambent::CellSpan& strips = lists[3];
+  this->Faces.cells = polygons;
+  if (lambent::cellCount(strips) > 0)
+  {
+    this->Merged = lambent::mergeFaces(polygons, strips);
+    this->Faces.cells = this->Merged.span();
+  }
+  this->markNonFinite(
+    polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(), parallel);
+}
+
+void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
+  vtkIdType firstPolygon, const lambent::Parallel& parallel)
+{
+  std::vector<unsigned char> cells = lambent::findNonFinite(this->Faces.points, polygons, parallel);
+  const std::vector<unsigned char> ofStrips =
+    lambent::findNonFinite(this->Faces.points, strips, parallel);
+  cells.insert(cells.end(), ofStrips.begin(), ofStrips.end());
+  const auto first = std::find(cells.begin(), cells.end(), 1);
+  if (first == cells.end())
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << std::count(first, cells.end(), 1)
+       << " cells have points with coordinates that are infinite or not numbers, and count for "
+          "nothing; the first is cell "
+       << firstPolygon + (first - cells.begin()) << ". Correct or remove them.";
+  this->Warning = text.str();
+
+  this->Faces.skip.resize(lambent::cellCount(this->Faces.cells));
+  for (std::size_t face = 0; face < this->Faces.skip.size(); ++face)
+  {
+    this->Faces.skip[face] = cells[this->cellOf(static_cast<std::int64_t>(face))];
+  }
+}
+
+void FacesFromVTK::refer(vtkPolyData* rewritten)
+{
+  this->Faces.points = pointsOf(rewritten, this->Spans);
+  this->Faces.cells = this->Spans.cells(rewritten->GetPolys());
+}

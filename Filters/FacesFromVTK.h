@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the faces of a polydata: checked, and strips as triangles
+ */
+#ifndef FacesFromVTK_h
+#define FacesFromVTK_h
+
+#include "MergedFaces.h"
+#include "PointNormals.h"
+#include "SpansFromVTK.h"
+
+#include <string>
+
+class vtkPolyData;
+
+class FacesFromVTK
+{
+public:
+  /// The polydata must outlive this object. Throws std::runtime_error, with what to
+  /// do about it, if a cell names a point that does not exist.
+  FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel);
+
+  const lambent::Faces& faces() const { return this->Faces; }
+  bool hasStrips() const { return !this->Merged.cells.empty(); }
+
+  /// How many cells count for nothing because of coordinates that are not finite;
+  /// empty if none.
+  const std::string& warning() const { return this->Warning; }
+
+  /// The cell, counted from the first polygon, that a face is of.
+  std::int64_t cellOf(std::int64_t face) const
+  {
+    return this->hasStrips() ? this->Merged.cells[face] : face;
+  }
+
+  /// From now on take points and polygons from the same mesh after a rewrite.
+  void refer(vtkPolyData* rewritten);
+
+private:
+  void markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
+    vtkIdType firstPolygon, const lambent::Parallel& parallel);
+
+  SpansFromVTK Spans;
+  lambent::MergedFaces Merged; ///< empty where there are no strips
+  lambent::Faces Faces;
+  std::string Warning;
+};
+
+#endif

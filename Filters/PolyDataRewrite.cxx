@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyDataRewrite.h"
+
+#include "FacesFromVTK.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace
+{
+vtkSmartPointer<vtkIdList> consecutiveIds(vtkIdType first, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdList>::New();
+  ids->SetNumberOfIds(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, first);
+  return ids;
+}
+
+vtkSmartPointer<vtkTypeInt64Array> toArray(const lambent::IndexSpan& indices)
+{
+  auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
+  array->SetNumberOfValues(static_cast<vtkIdType>(indices.size));
+  for (std::size_t i = 0; i < indices.size; ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(indices[i]));
+  }
+  return array;
+}
+
+// The tuples named by sources, in that order, of all arrays.
+template <typename Attributes>
+void copyTuples(Attributes* data, vtkIdList* sources)
+{
+  const vtkIdType count = sources->GetNumberOfIds();
+  vtkNew<Attributes> old;
+  old->ShallowCopy(data);
+  data->Initialize();
+  data->CopyAllocate(old, count);
+  data->CopyData(old, sources, consecutiveIds(0, count));
+}
+}
+
+void copyPoints(
+  vtkPolyData* input, const std::vector<std::int64_t>& copiedPoints, vtkPolyData* output)
+{
+  if (copiedPoints.empty())
+  {
+    return;
+  }
+  const vtkIdType before = input->GetNumberOfPoints();
+  const auto sources = consecutiveIds(0, before + static_cast<vtkIdType>(copiedPoints.size()));
+  std::copy(copiedPoints.begin(), copiedPoints.end(), sources->GetPointer(before));
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(sources->GetNumberOfIds());
+  input->GetPoints()->GetData()->GetTuples(sources, points->GetData());
+  points->GetData()->SetName(input->GetPoints()->GetData()->GetName());
+  output->SetPoints(points);
+  copyTuples(output->GetPointData(), sources);
+}
+
+void setPolygons(
+  const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity, vtkPolyData* output)
+{
+  const lambent::CellSpan& cells = mesh.faces().cells;
+  const auto faces = static_cast<vtkIdType>(lambent::cellCount(cells));
+  if (mesh.hasStrips())
+  {
+    const vtkIdType others = output->GetNumberOfVerts() + output->GetNumberOfLines();
+    const auto sources = consecutiveIds(0, others + faces);
+    for (vtkIdType face = 0; face < faces; ++face)
+    {
+      sources->SetId(others + face, others + mesh.cellOf(face));
+    }
+    copyTuples(output->GetCellData(), sources);
+    output->SetStrips(nullptr);
+  }
+
+  vtkNew<vtkCellArray> polygons;
+  if (faces > 0)
+  {
+    const bool isReplaced = !connectivity.empty();
+    polygons->SetData(toArray(cells.offsets),
+      toArray(isReplaced ? lambent::IndexSpan{ connectivity.data(), true, connectivity.size() }
+                         : cells.connectivity));
+  }
+  output->SetPolys(polygons);
+  // What a shallow copy shares with the input, and what described the old cells.
+  output->DeleteCells();
+  output->DeleteLinks();
+}
+
+void reversePolygons(vtkPolyData* output)
+{
+  vtkCellArray* polygons = output->GetPolys();
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    polygons->ReverseCellAtId(i);
+  }
+}

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief VTK's arrays as the core's spans
+ *
+ * Tuples of float and double, and cells of 32 and 64 bits, are used where they are.
+ * Other number types and memory layouts are converted into memory that the
+ * SpansFromVTK owns; arrays and SpansFromVTK must outlive the spans.
+ */
+#ifndef SpansFromVTK_h
+#define SpansFromVTK_h
+
+#include "Scene.h"
+#include "Triangulation.h"
+
+#include "vtkObjectBase.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+
+class SpansFromVTK
+{
+public:
+  /// Tuples of three components; nullptr gives none.
+  lambent::TupleSpan tuples(vtkDataArray* array);
+  /// nullptr, and no cells, give none.
+  lambent::CellSpan cells(vtkCellArray* array);
+
+private:
+  std::vector<vtkSmartPointer<vtkObjectBase>> Converted;
+};
+
+#endif

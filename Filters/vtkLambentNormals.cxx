@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLambentNormals.h"
+
+#include "FacesFromVTK.h"
+#include "PolyDataRewrite.h"
+#include "SMPParallel.h"
+#include "SharpEdges.h"
+
+#include "vtkCellData.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+namespace
+{
+constexpr const char* NormalsName = "Normals";
+
+bool isAborted(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+vtkSmartPointer<vtkFloatArray> makeNormals(vtkIdType count)
+{
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName(NormalsName);
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  return normals;
+}
+
+void setNormals(vtkDataSetAttributes* data, vtkFloatArray* normals)
+{
+  data->AddArray(normals);
+  data->SetActiveNormals(NormalsName);
+}
+
+void addPointNormals(vtkPolyData* output, const lambent::Faces& faces, lambent::Weighting weighting,
+  float sign, const lambent::Parallel& parallel)
+{
+  const auto normals = makeNormals(output->GetNumberOfPoints());
+  lambent::computePointNormals(faces, weighting, sign, parallel, normals->GetPointer(0));
+  setNormals(output->GetPointData(), normals);
+}
+
+// Vertices and lines come before the faces and have none.
+void addCellNormals(
+  vtkPolyData* output, const lambent::Faces& faces, float sign, const lambent::Parallel& parallel)
+{
+  const auto normals = makeNormals(output->GetNumberOfCells());
+  const vtkIdType others = output->GetNumberOfVerts() + output->GetNumberOfLines();
+  std::fill_n(normals->GetPointer(0), 3 * others, 0.0f);
+  lambent::computeFaceNormals(faces, sign, parallel, normals->GetPointer(0) + 3 * others);
+  setNormals(output->GetCellData(), normals);
+}
+}
+
+vtkStandardNewMacro(vtkLambentNormals);
+
+//------------------------------------------------------------------------------
+vtkLambentNormals::vtkLambentNormals()
+  : Weighting(ANGLE)
+  , ComputePointNormals(true)
+  , ComputeCellNormals(false)
+  , Splitting(false)
+  , FeatureAngle(30.0)
+  , FlipNormals(false)
+{
+}
+
+//------------------------------------------------------------------------------
+int vtkLambentNormals::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  try
+  {
+    if (!this->Execute(vtkPolyData::GetData(inputs[0]), output))
+    {
+      // Aborted. The executive shall not take the empty output for an up-to-date one.
+      output->Initialize();
+      outputs->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    }
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for the normals of "
+      << vtkPolyData::GetData(inputs[0])->GetNumberOfPoints()
+      << " points and the work on them. Process the mesh in parts.");
+  }
+  catch (const std::exception& failure)
+  {
+    vtkErrorMacro(<< failure.what());
+  }
+  output->Initialize();
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
+{
+  const SMPParallel parallel;
+  const auto goOn = [this](double progress)
+  {
+    this->UpdateProgress(progress);
+    return !isAborted(this);
+  };
+
+  output->ShallowCopy(input);
+  FacesFromVTK mesh(input, parallel);
+  if (!mesh.warning().empty())
+  {
+    vtkWarningMacro(<< mesh.warning());
+  }
+  if (!goOn(0.2))
+  {
+    return false;
+  }
+
+  if (this->Splitting || this->FlipNormals || (this->ComputeCellNormals && mesh.hasStrips()))
+  {
+    lambent::SplitMesh split;
+    if (this->Splitting)
+    {
+      split = lambent::splitSharpEdges(mesh.faces(), this->FeatureAngle, parallel);
+      copyPoints(input, split.copiedPoints, output);
+    }
+    setPolygons(mesh, split.connectivity, output);
+    mesh.refer(output);
+  }
+  if (!goOn(0.4))
+  {
+    return false;
+  }
+
+  const float sign = this->FlipNormals ? -1.0f : 1.0f;
+  if (this->ComputePointNormals)
+  {
+    addPointNormals(
+      output, mesh.faces(), static_cast<lambent::Weighting>(this->Weighting), sign, parallel);
+  }
+  if (!goOn(0.9))
+  {
+    return false;
+  }
+  if (this->ComputeCellNormals)
+  {
+    addCellNormals(output, mesh.faces(), sign, parallel);
+  }
+  if (this->FlipNormals)
+  {
+    reversePolygons(output);
+  }
+  return goOn(1.0);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLambentNormals::GetWeightingAsString() const
+{
+  constexpr const char* names[] = { "Uniform", "Area", "Angle", "Max" };
+  return names[this->Weighting];
+}
+
+//------------------------------------------------------------------------------
+void vtkLambentNormals::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto onOff = [](vtkTypeBool value) { return value ? "On" : "Off"; };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
+  os << indent << "ComputePointNormals: " << onOff(this->ComputePointNormals) << "\n";
+  os << indent << "ComputeCellNormals: " << onOff(this->ComputeCellNormals) << "\n";
+  os << indent << "Splitting: " << onOff(this->Splitting) << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "FlipNormals: " << onOff(this->FlipNormals) << "\n";
+}
