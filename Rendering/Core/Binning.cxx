@@ -37,7 +37,7 @@ void Binning::runPart(const Mesh::Part& part, std::size_t begin, std::size_t end
         this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
       if (!rays.empty())
       {
-        bins.insert(triangle, rays);
+        bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
       }
     }
     else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
@@ -49,7 +49,7 @@ void Binning::runPart(const Mesh::Part& part, std::size_t begin, std::size_t end
     }
     else if (!this->Culling || !this->isBehindEye(surface.points, corners))
     {
-      bins.insert(triangle, this->Grid.whole());
+      bins.insert(triangle, this->Grid.whole(), false);
     }
   }
 }

@@ -58,23 +58,23 @@ public:
     this->Pages = 0;
   }
 
-  /// Hand a triangle to the cells that its rays fall into.
-  void insert(std::uint32_t triangle, const Window& rays)
+  /// Hand a triangle to the cells that its rays fall into: of the finest level if
+  /// the box of rays is exact, so that there each entry's box is; else of a coarser.
+  void insert(std::uint32_t triangle, const Window& rays, bool isExact)
   {
-    const CellGrid::Level& level = this->Grid->levelFor(rays);
-    const int size = level.cellSize;
-    for (int row = rays.j0 / size; row <= (rays.j1 - 1) / size; ++row)
+    const CellGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
+    const int size = 1 << level.shift;
+    for (int j = rays.j0 >> level.shift << level.shift; j < rays.j1; j += size)
     {
-      for (int column = rays.i0 / size; column <= (rays.i1 - 1) / size; ++column)
+      for (int i = rays.i0 >> level.shift << level.shift; i < rays.i1; i += size)
       {
-        const Window cell = this->Grid->window(level, column, row);
-        const Window part = intersection(rays, cell);
-        const auto step = [&](int ray, int cellStart) {
-          return static_cast<std::uint8_t>((ray - cellStart) / level.unit);
+        const Window part = intersection(rays, { i, i + size, j, j + size });
+        const auto step = [&level](int ray) {
+          return static_cast<std::uint8_t>(ray >> level.unitShift);
         };
-        this->append(level.first + row * level.columns + column,
-          { triangle, step(part.i0, cell.i0), step(part.i1 - 1, cell.i0), step(part.j0, cell.j0),
-            step(part.j1 - 1, cell.j0) });
+        this->append(level.cellAt(i, j),
+          { triangle, step(part.i0 - i), step(part.i1 - 1 - i), step(part.j0 - j),
+            step(part.j1 - 1 - j) });
       }
     }
   }

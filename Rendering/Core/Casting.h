@@ -4,38 +4,50 @@
  * @file
  * @brief cast the rays of a cell at the triangles in its bins
  *
- * Each triangle is brought into the camera's frame and tested with intersect()
- * against the rays of its box. Before that, one from a coarser cell is tested
- * against the cell as a whole: if for all rays of the cell one edge function
- * certainly has the other sign than the sum, none of them can hit.
+ * A triangle is brought into the camera's frame and tested with intersect()
+ * against the rays of its box. That is the definition, and what castPlainly()
+ * does. cast() collects triangles by the size of their boxes and leaves them to
+ * the kernels of CastingKernel.h, which give the same bits.
+ *
+ * A triangle from a coarser cell is first tested against the cell as a whole: if
+ * for all of its rays one edge function certainly has the other sign than the sum,
+ * none of them can hit.
  */
 #ifndef lambent_Casting_h
 #define lambent_Casting_h
 
 #include "Bins.h"
-#include "CameraFrame.h"
+#include "CastBatch.h"
+#include "CellRays.h"
 #include "Mesh.h"
-#include "NearestHits.h"
 
 namespace lambent
 {
+/// The triangles that a worker has collected, by the size of their boxes: 1 x 1,
+/// 2 x 1, 1 x 2, 2 x 2 rays, and larger ones.
+struct CastBatches
+{
+  CastBatch small[4];
+  CastBatch large;
+};
+
 class Casting
 {
 public:
-  /// origin: the image's pixel that pixel (0, 0) of the grid is.
-  Casting(const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid, const Window& image)
+  Casting(const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid)
     : Triangles(mesh)
     , Frame(frame)
     , Grid(grid)
-    , Image(image)
   {
   }
 
-  /// Offer to the hits of a cell what its rays meet on a page of one of its bins,
-  /// or of the cells above it. level: the one that the page's bin belongs to;
-  /// (column, row): the bin's cell there.
-  void run(const BinPage& page, const CellGrid::Level& level, int column, int row,
-    NearestHits& hits) const;
+  /// Offer to the rays of a cell what they meet on a page of a bin that it is in.
+  void castPlainly(const BinPage& page, const CellGrid::Level& level, CellRays& rays) const;
+
+  /// The same with kernels; some of it is left in the batches until flush().
+  void cast(const BinPage& page, const CellGrid::Level& level, CellRays& rays,
+    CastBatches& batches) const;
+  void flush(CellRays& rays, CastBatches& batches) const;
 
 private:
   struct Triangle
@@ -44,14 +56,16 @@ private:
     bool cullFront, cullBack;
   };
   Triangle triangle(std::uint32_t number) const;
-  bool misses(const Triangle& triangle, const Window& cell) const;
-  void test(const Triangle& triangle, std::uint32_t number, const Window& rays,
-    NearestHits& hits) const;
+  bool misses(const Triangle& triangle, const CellRays& rays, const Window& box) const;
+  Window boxIn(const CellRays& rays, const CellGrid::Level& level, const BinEntry& entry) const;
+  void test(const Triangle& triangle, std::uint32_t number, const Window& box, CellRays& rays) const;
+  void load(CastBatch& batch) const;
+  void flushSmall(int shape, CellRays& rays, CastBatches& batches) const;
+  void flushLarge(CellRays& rays, CastBatch& batch) const;
 
   const Mesh& Triangles;
   const CameraFrame& Frame;
   const CellGrid& Grid;
-  const Window Image;
 };
 }
 

@@ -10,6 +10,8 @@
  * cell below; so no triangle is kept in more than four places, and one that
  * covers the whole image costs no more memory than a small one. A fine cell reads
  * its own triangles and those of the coarser cells above it.
+ *
+ * Sizes are powers of two, so that a ray's cell is found by shifting.
  */
 #ifndef lambent_CellGrid_h
 #define lambent_CellGrid_h
@@ -25,66 +27,73 @@ class CellGrid
 public:
   struct Level
   {
-    int cellSize; ///< in rays
+    int shift; ///< a cell is 2^shift rays wide
     int columns, rows;
-    int first; ///< number of the level's first cell, counted over all levels
-    int unit;  ///< rays to a step of the boxes in a cell, so that 256 steps do
+    int first;     ///< number of the level's first cell, counted over all levels
+    int unitShift; ///< boxes in a cell count in 2^unitShift rays, so that 256 steps do
+
+    int cellAt(int i, int j) const
+    {
+      return this->first + (j >> this->shift) * this->columns + (i >> this->shift);
+    }
   };
 
-  /// A grid over width x height rays. Pixels count from 0 here.
-  CellGrid(int width, int height, int cellSize)
+  /// A grid over width x height rays, with finest cells of 2^shift rays. Pixels
+  /// count from 0 here. There are at least two levels.
+  CellGrid(int width, int height, int shift)
     : Whole{ 0, width, 0, height }
   {
-    constexpr int coarser = 8;
-    int first = 0;
-    for (int size = cellSize;; size *= coarser)
+    constexpr int coarser = 3;
+    for (int first = 0; this->Levels.size() < 2 || this->Levels.back().columns > 2 ||
+         this->Levels.back().rows > 2;
+         shift += coarser)
     {
-      const int columns = (width + size - 1) / size, rows = (height + size - 1) / size;
-      this->Levels.push_back({ size, columns, rows, first, (size + 255) / 256 });
+      const int columns = ((width - 1) >> shift) + 1, rows = ((height - 1) >> shift) + 1;
+      this->Levels.push_back({ shift, columns, rows, first, std::max(0, shift - 8) });
       first += columns * rows;
-      if (columns <= 2 && rows <= 2)
-      {
-        break;
-      }
+      this->Total = first;
     }
-    this->Total = first;
   }
 
   const Window& whole() const { return this->Whole; }
   const std::vector<Level>& levels() const { return this->Levels; }
+  bool isFinest(const Level& level) const { return level.first == 0; }
 
   /// Of the finest level: the units of work.
   int cellCount() const { return this->Levels[0].columns * this->Levels[0].rows; }
   /// Over all levels.
   int totalCount() const { return this->Total; }
 
-  /// The rays of a cell, clipped to the image.
-  Window window(const Level& level, int column, int row) const
+  /// The rays of the cell of a level that (i, j) is in, clipped to the image.
+  Window window(const Level& level, int i, int j) const
   {
-    const int i0 = column * level.cellSize, j0 = row * level.cellSize;
-    return intersection({ i0, i0 + level.cellSize, j0, j0 + level.cellSize }, this->Whole);
+    const int i0 = i >> level.shift << level.shift, j0 = j >> level.shift << level.shift;
+    return intersection(
+      { i0, i0 + (1 << level.shift), j0, j0 + (1 << level.shift) }, this->Whole);
   }
+  /// The rays of a finest cell.
   Window window(int cell) const
   {
     const Level& finest = this->Levels[0];
-    return this->window(finest, cell % finest.columns, cell / finest.columns);
+    return this->window(
+      finest, cell % finest.columns << finest.shift, cell / finest.columns << finest.shift);
   }
 
-  /// The finest level on which rays fall into at most two by two cells.
-  const Level& levelFor(const Window& rays) const
+  /// The finest level, from one on, on which rays fall into at most two by two cells.
+  const Level& levelFor(const Window& rays, std::size_t from = 0) const
   {
-    std::size_t l = 0;
-    while (spans(rays, this->Levels[l].cellSize))
+    while (spans(rays, this->Levels[from].shift))
     {
-      ++l;
+      ++from;
     }
-    return this->Levels[l];
+    return this->Levels[from];
   }
 
 private:
-  static bool spans(const Window& rays, int size)
+  static bool spans(const Window& rays, int shift)
   {
-    return (rays.i1 - 1) / size - rays.i0 / size > 1 || (rays.j1 - 1) / size - rays.j0 / size > 1;
+    return ((rays.i1 - 1) >> shift) - (rays.i0 >> shift) > 1 ||
+      ((rays.j1 - 1) >> shift) - (rays.j0 >> shift) > 1;
   }
 
   Window Whole;

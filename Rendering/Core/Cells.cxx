@@ -15,21 +15,16 @@ constexpr std::size_t maximumShares = 32;
 constexpr std::size_t batchWeight = 32 * 1024;
 constexpr std::size_t emptyCellWeight = 8;
 
-/// Calls body(page, level, column, row) for the pages of a cell and of those above.
+/// Calls body(bins, level, bin) for the bins of a cell and of those above it.
 template <typename Body>
-void forPages(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Body&& body)
+void forBins(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Body&& body)
 {
   const Window rays = grid.window(cell);
   for (const CellGrid::Level& level : grid.levels())
   {
-    const int column = rays.i0 / level.cellSize, row = rays.j0 / level.cellSize;
     for (const Bins& workerBins : bins)
     {
-      const int bin = level.first + row * level.columns + column;
-      for (const BinPage* page = workerBins.pages(bin); page; page = page->next)
-      {
-        body(*page, level, column, row);
-      }
+      body(workerBins, level, level.cellAt(rays.i0, rays.j0));
     }
   }
 }
@@ -37,16 +32,10 @@ void forPages(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Bod
 
 std::size_t Cells::countPages(const std::vector<Bins>& bins, int cell) const
 {
-  const Window rays = this->Grid.window(cell);
   std::size_t count = 0;
-  for (const CellGrid::Level& level : this->Grid.levels())
-  {
-    const int column = rays.i0 / level.cellSize, row = rays.j0 / level.cellSize;
-    for (const Bins& workerBins : bins)
-    {
-      count += workerBins.pageCount(level.first + row * level.columns + column);
-    }
-  }
+  forBins(this->Grid, bins, cell, [&count](const Bins& all, const CellGrid::Level&, int bin) {
+    count += all.pageCount(bin);
+  });
   return count;
 }
 
@@ -70,7 +59,7 @@ void Cells::plan(const std::vector<Bins>& bins)
     {
       this->Splits.push_back(std::make_unique<SplitCell>());
       this->Splits.back()->remaining = static_cast<int>(shares);
-      this->Splits.back()->hits.reset(this->Grid.window(cell));
+      this->Splits.back()->rays.reset(this->Frame, this->Image, this->Grid.window(cell));
     }
     for (std::size_t share = 0; share < shares; ++share)
     {
@@ -97,49 +86,84 @@ void Cells::run(
     this->Kept.resize(this->Grid.cellCount());
     for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
     {
-      this->Kept[cell].reset(this->Grid.window(cell));
+      this->Kept[cell].reset(this->Frame, this->Image, this->Grid.window(cell));
     }
   }
   forEach(parallel, this->Batches[batch], this->Batches[batch + 1],
-    [&](int worker, std::size_t task) { this->run(this->Tasks[task], bins, worker, isLastRound); });
+    [&](int worker, std::size_t task) {
+      std::unique_ptr<Memory>& memory = this->Scratch[worker];
+      if (!memory)
+      {
+        memory.reset(new Memory); // by the worker itself, and not written over
+      }
+      this->run(this->Tasks[task], bins, *memory, isLastRound);
+    });
 }
 
-void Cells::run(const Task& task, const std::vector<Bins>& bins, int worker, bool isLastRound)
+void Cells::run(
+  const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound)
 {
-  NearestHits* hits = &this->Scratch[worker];
-  hits->reset(this->Grid.window(task.cell));
-  this->cast(task, bins, *hits);
+  CellRays* rays = &memory.rays;
+  rays->reset(this->Frame, this->Image, this->Grid.window(task.cell));
+  this->cast(task, bins, memory);
   if (task.split >= 0)
   {
     SplitCell& split = *this->Splits[task.split];
     const std::lock_guard<std::mutex> lock(split.mutex);
-    split.hits.merge(*hits);
+    split.rays.merge(*rays);
     if (--split.remaining > 0)
     {
       return;
     }
-    hits = &split.hits;
+    rays = &split.rays;
   }
   if (!this->Kept.empty())
   {
-    this->Kept[task.cell].merge(*hits);
-    hits = &this->Kept[task.cell];
+    this->Kept[task.cell].merge(*rays);
+    rays = &this->Kept[task.cell];
   }
   if (isLastRound)
   {
-    this->Painter.paint(*hits);
+    this->paint(*rays, memory);
   }
 }
 
-void Cells::cast(const Task& task, const std::vector<Bins>& bins, NearestHits& hits) const
+void Cells::cast(const Task& task, const std::vector<Bins>& bins, Memory& memory) const
 {
   int number = 0;
-  forPages(this->Grid, bins, task.cell,
-    [&](const BinPage& page, const CellGrid::Level& level, int column, int row) {
-      if (number++ % task.shares == task.share)
+  forBins(this->Grid, bins, task.cell,
+    [&](const Bins& all, const CellGrid::Level& level, int bin) {
+      for (const BinPage* page = all.pages(bin); page; page = page->next)
       {
-        this->Caster.run(page, level, column, row, hits);
+        if (number++ % task.shares != task.share)
+        {
+          continue;
+        }
+        if (this->Kernels)
+        {
+          this->Caster.cast(*page, level, memory.rays, memory.triangles);
+        }
+        else
+        {
+          this->Caster.castPlainly(*page, level, memory.rays);
+        }
       }
     });
+  if (this->Kernels)
+  {
+    this->Caster.flush(memory.rays, memory.triangles);
+  }
+}
+
+void Cells::paint(const CellRays& rays, Memory& memory) const
+{
+  if (this->Kernels)
+  {
+    this->Painter.paint(rays, memory.hits);
+  }
+  else
+  {
+    this->Painter.paintPlainly(rays);
+  }
 }
 }

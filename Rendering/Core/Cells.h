@@ -23,10 +23,15 @@ namespace lambent
 class Cells
 {
 public:
-  Cells(const CellGrid& grid, const Casting& casting, const Painting& painting, int workers)
-    : Grid(grid)
+  /// kernels: whether to cast and paint with them, or plainly.
+  Cells(const CameraFrame& frame, const Window& image, const CellGrid& grid,
+    const Casting& casting, const Painting& painting, int workers, bool kernels)
+    : Frame(frame)
+    , Image(image)
+    , Grid(grid)
     , Caster(casting)
     , Painter(painting)
+    , Kernels(kernels)
     , Scratch(workers)
   {
   }
@@ -52,19 +57,30 @@ private:
   struct SplitCell
   {
     std::mutex mutex;
-    NearestHits hits;
+    CellRays rays;
     int remaining;
+  };
+  /// What a worker needs for the cell at hand.
+  struct Memory
+  {
+    CellRays rays;
+    CastBatches triangles;
+    ShadeBatch hits;
   };
 
   std::size_t countPages(const std::vector<Bins>& bins, int cell) const;
-  void run(const Task& task, const std::vector<Bins>& bins, int worker, bool isLastRound);
-  void cast(const Task& task, const std::vector<Bins>& bins, NearestHits& hits) const;
+  void run(const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound);
+  void cast(const Task& task, const std::vector<Bins>& bins, Memory& memory) const;
+  void paint(const CellRays& rays, Memory& memory) const;
 
+  const CameraFrame& Frame;
+  const Window Image;
   const CellGrid& Grid;
   const Casting& Caster;
   const Painting& Painter;
-  std::vector<NearestHits> Scratch; ///< one a worker
-  std::vector<NearestHits> Kept;    ///< one a cell, once there is a second round
+  const bool Kernels;
+  std::vector<std::unique_ptr<Memory>> Scratch; ///< one a worker
+  std::vector<CellRays> Kept;                   ///< one a cell, once there is a second round
   std::vector<Task> Tasks;
   std::vector<std::size_t> Batches; ///< first task of each, and the end
   std::vector<std::unique_ptr<SplitCell>> Splits;

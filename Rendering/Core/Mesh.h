@@ -30,6 +30,12 @@ public:
     const Surface* surface;
     std::size_t firstTriangle;
     std::size_t firstPoint;
+
+    /// Whether a triangle, counted over all surfaces, is one of this part's.
+    bool holds(std::size_t triangle) const
+    {
+      return triangle - this->firstTriangle < this->surface->triangleCount();
+    }
   };
 
   explicit Mesh(const std::vector<Surface>& surfaces)
@@ -48,6 +54,10 @@ public:
   /// The part that holds a triangle.
   const Part& partOf(std::size_t triangle) const
   {
+    if (this->Parts.size() == 1)
+    {
+      return this->Parts.front();
+    }
     return *(std::upper_bound(this->Parts.begin(), this->Parts.end(), triangle,
                [](std::size_t t, const Part& part) { return t < part.firstTriangle; }) -
       1);

@@ -3,12 +3,17 @@
 /**
  * @file
  * @brief write the pixels of a cell: the colour of what is hit, or the background
+ *
+ * paintPlainly() asks the Shader pixel by pixel and is the definition. paint() fills
+ * rows with the background, collects the hits on each surface and leaves them to
+ * the kernel of ShadingKernel.h, which gives the same bits.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
 
-#include "NearestHits.h"
+#include "CellRays.h"
 #include "Render.h"
+#include "ShadeBatch.h"
 #include "Shading.h"
 
 namespace lambent
@@ -16,25 +21,22 @@ namespace lambent
 class Painting
 {
 public:
-  Painting(const Scene& scene, const Shader& shader, const CameraFrame& frame, const Image& image)
-    : Description(scene)
-    , Colors(shader)
-    , Frame(frame)
-    , Target(image)
-  {
-  }
+  Painting(const Scene& scene, const Mesh& mesh, const Shader& shader, const Image& image);
 
-  /// Paint the window of the hits; windows count from the image's part.
-  void paint(const NearestHits& hits) const;
+  void paintPlainly(const CellRays& rays) const;
+  void paint(const CellRays& rays, ShadeBatch& batch) const;
 
 private:
-  /// The background's colour in a row of the whole image.
+  /// The background's colour in a row of the image's part.
   Vec3 background(int j) const;
+  void fillBackground(const Window& window) const;
   void store(std::size_t pixel, const Vec3& color) const;
+  void shade(const Mesh::Part* part, ShadeBatch& batch) const;
+  static void load(const Mesh::Part& part, ShadeBatch& batch);
 
   const Scene& Description;
+  const Mesh& Triangles;
   const Shader& Colors;
-  const CameraFrame& Frame;
   const Image Target;
 };
 }

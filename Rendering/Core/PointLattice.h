@@ -63,6 +63,13 @@ public:
       groups.j0 << this->Shift, std::min(groups.j1 << this->Shift, this->Rows.count) };
   }
 
+  /// Whether raysBetween() is exactly the rays that pass intersect()'s box test: no
+  /// position is "k or k + 1", and rays are not grouped.
+  bool isExact(LatticePosition a, LatticePosition b, LatticePosition c) const
+  {
+    return this->Shift == 0 && !((a.column | b.column | c.column | a.row | b.row | c.row) & 1);
+  }
+
 private:
   struct Axis
   {

@@ -27,14 +27,15 @@ public:
     , Frame(scene.camera, image.width, image.height)
     , Lattice(this->Frame, image.part)
     , Positions(new LatticePosition[this->Triangles.pointCount()])
-    , Grid(image.part.width(), image.part.height(), settings.cellSize)
+    , Grid(image.part.width(), image.part.height(), settings.cellShift)
     , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
         settings.culling)
     , WorkerDefects(parallel.workers())
-    , Caster(this->Triangles, this->Frame, this->Grid, image.part)
+    , Caster(this->Triangles, this->Frame, this->Grid)
     , Shades(scene, this->Triangles, this->Frame)
-    , Painter(scene, this->Shades, this->Frame, image)
-    , CellWork(this->Grid, this->Caster, this->Painter, parallel.workers())
+    , Painter(scene, this->Triangles, this->Shades, image)
+    , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter,
+        parallel.workers(), settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {

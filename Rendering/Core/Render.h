@@ -44,18 +44,23 @@ struct Image
 /// How the work is cut. None of it changes a bit of the picture.
 struct Settings
 {
-  int cellSize = 32;
+  int cellShift = 5;                 ///< cells are 2^cellShift pixels wide
   std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
   std::size_t binPages = 512 * 1024; ///< of 256 bytes, before the cells are processed
   bool culling = true;               ///< drop triangles between the rays
+  bool kernels = true;               ///< cast and shade with vectors
 
-  /// Every triangle against every ray: the definition of the picture.
+  /// Every triangle against every ray, one at a time: the definition of the picture.
   static Settings bruteForce(const Window& part)
   {
     Settings settings;
-    settings.cellSize = std::max(part.width(), part.height());
+    while (std::max(part.width(), part.height()) > 1 << settings.cellShift)
+    {
+      ++settings.cellShift;
+    }
     settings.chunk = noTriangle;
     settings.culling = false;
+    settings.kernels = false;
     return settings;
   }
 };

@@ -27,6 +27,12 @@ struct TupleSpan
 
   explicit operator bool() const { return this->data != nullptr; }
 
+  /// Where tuple i lies.
+  const char* at(std::size_t i) const
+  {
+    return static_cast<const char*>(this->data) + (this->isDouble ? 24 : 12) * i;
+  }
+
   Vec3 operator[](std::size_t i) const
   {
     if (this->isDouble)
@@ -84,6 +90,10 @@ struct Surface
   std::int64_t firstCell = 0;
   Material material;
 
+  bool isSmooth() const
+  {
+    return this->material.shading == Shading::Smooth && this->pointNormals;
+  }
   std::size_t triangleCount() const { return this->corners.size / 3; }
   std::int64_t cellOf(std::size_t triangle) const
   {

@@ -14,18 +14,28 @@ Shader::Shader(const Scene& scene, const Mesh& mesh, const CameraFrame& frame)
 {
   for (const Light& light : scene.lights)
   {
-    this->Sources.push_back(makeSource(light, frame.eye));
+    this->Sources.emplace_back(light, frame.eye);
   }
 }
 
-Shader::Source Shader::makeSource(const Light& light, const Vec3& eye)
+LightSource::LightSource(const Light& light, const Vec3& eye)
+  : positional(light.positional)
+  , isConstant(true)
+  , hasCone(light.positional && light.coneAngle < 90.0)
+  , toLight(light.positional ? light.position - eye : -light.direction)
+  , axis(0.0)
+  , color(light.color)
+  , coneCosine(0.0)
+  , exponent(light.exponent)
+  , attenuation(light.attenuation)
 {
-  const bool hasCone = light.positional && light.coneAngle < 90.0;
+  if (this->hasCone)
+  {
+    this->axis = normalized(light.direction);
+    this->coneCosine = cosDegrees(light.coneAngle);
+  }
   const bool isAttenuated = light.positional && light.attenuation != Vec3(1.0, 0.0, 0.0);
-  return { light.positional, !hasCone && !isAttenuated, hasCone,
-    light.positional ? light.position - eye : -light.direction,
-    hasCone ? normalized(light.direction) : Vec3(0.0), light.color,
-    hasCone ? cosDegrees(light.coneAngle) : 0.0, light.exponent, light.attenuation };
+  this->isConstant = !this->hasCone && !isAttenuated;
 }
 
 Vec3 Shader::color(std::uint32_t number, double x, double y) const
@@ -52,28 +62,33 @@ Vec3 Shader::color(std::uint32_t number, double x, double y) const
 
 Vec3 Shader::normal(const Surface& surface, std::size_t triangle, const Hit& hit) const
 {
-  const std::size_t corners[3] = { surface.corners[3 * triangle],
-    surface.corners[3 * triangle + 1], surface.corners[3 * triangle + 2] };
-  if (surface.material.shading == Shading::Smooth && surface.pointNormals)
+  if (surface.isSmooth())
   {
-    const Vec3 a = surface.pointNormals[corners[0]];
-    const Vec3 b = surface.pointNormals[corners[1]];
-    const Vec3 c = surface.pointNormals[corners[2]];
+    const Vec3 a = surface.pointNormals[surface.corners[3 * triangle]];
+    const Vec3 b = surface.pointNormals[surface.corners[3 * triangle + 1]];
+    const Vec3 c = surface.pointNormals[surface.corners[3 * triangle + 2]];
     return (a * (hit.e0 / hit.sum) + b * (hit.e1 / hit.sum)) + c * (hit.e2 / hit.sum);
   }
+  return faceNormal(surface, triangle);
+}
+
+Vec3 Shader::faceNormal(const Surface& surface, std::size_t triangle)
+{
   if (surface.cellNormals)
   {
     return surface.cellNormals[surface.cellOf(triangle)];
   }
-  const Vec3 a = surface.points[corners[0]];
-  return cross(surface.points[corners[1]] - a, surface.points[corners[2]] - a);
+  const Vec3 a = surface.points[surface.corners[3 * triangle]];
+  const Vec3 b = surface.points[surface.corners[3 * triangle + 1]];
+  const Vec3 c = surface.points[surface.corners[3 * triangle + 2]];
+  return cross(b - a, c - a);
 }
 
 Vec3 Shader::lit(const Material& material, const Vec3& point, const Vec3& normal) const
 {
   const double normalLength = length(normal);
   Vec3 sum = this->Ambient == AmbientModel::Scene ? material.ambient : Vec3(0.0);
-  for (const Source& source : this->Sources)
+  for (const LightSource& source : this->Sources)
   {
     const Vec3 s = source.positional ? source.toLight - point : source.toLight;
     const double distance = length(s);
@@ -94,7 +109,7 @@ Vec3 Shader::lit(const Material& material, const Vec3& point, const Vec3& normal
   return sum;
 }
 
-double Shader::arriving(const Source& source, const Vec3& toLight, double distance)
+double Shader::arriving(const LightSource& source, const Vec3& toLight, double distance)
 {
   if (!(distance > 0.0))
   {

@@ -14,6 +14,8 @@
  * axis to the power of the exponent, nothing outside) leave of it at the hit. A
  * light exactly at the hit gives its full ambient term. With AmbientModel::Scene
  * the ambient term is rho_a, once, instead.
+ *
+ * Shader::color() is the definition; ShadingKernel.h does the same for many hits.
  */
 #ifndef lambent_Shading_h
 #define lambent_Shading_h
@@ -25,6 +27,22 @@
 
 namespace lambent
 {
+/// A light as the hits see it.
+struct LightSource
+{
+  bool positional;
+  bool isConstant; ///< neither attenuated nor in a cone
+  bool hasCone;
+  Vec3 toLight; ///< position from the eye, or the direction to the light
+  Vec3 axis;    ///< of the cone, unit
+  Vec3 color;
+  double coneCosine;
+  double exponent;
+  Vec3 attenuation;
+
+  LightSource(const Light& light, const Vec3& eye);
+};
+
 class Shader
 {
 public:
@@ -33,29 +51,22 @@ public:
   /// The colour at the hit of the ray through (x, y) on a triangle.
   Vec3 color(std::uint32_t triangle, double x, double y) const;
 
-private:
-  /// A light as the hits see it.
-  struct Source
-  {
-    bool positional;
-    bool isConstant;  ///< neither attenuated nor in a cone
-    bool hasCone;
-    Vec3 toLight;     ///< position from the eye, or the direction to the light
-    Vec3 axis;        ///< of the cone, unit
-    Vec3 color;
-    double coneCosine;
-    double exponent;
-    Vec3 attenuation;
-  };
-  static Source makeSource(const Light& light, const Vec3& eye);
+  /// The normal of the face: the cell's, if the surface has some.
+  static Vec3 faceNormal(const Surface& surface, std::size_t triangle);
 
+  const CameraFrame& frame() const { return this->Frame; }
+  const std::vector<LightSource>& sources() const { return this->Sources; }
+  AmbientModel ambientModel() const { return this->Ambient; }
+  bool isTwoSided() const { return this->TwoSided; }
+
+private:
   Vec3 normal(const Surface& surface, std::size_t triangle, const Hit& hit) const;
   Vec3 lit(const Material& material, const Vec3& point, const Vec3& normal) const;
-  static double arriving(const Source& source, const Vec3& toLight, double distance);
+  static double arriving(const LightSource& source, const Vec3& toLight, double distance);
 
   const Mesh& Triangles;
   const CameraFrame& Frame;
-  std::vector<Source> Sources;
+  std::vector<LightSource> Sources;
   AmbientModel Ambient;
   bool TwoSided;
 };

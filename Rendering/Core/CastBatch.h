@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief a few triangles side by side, as kernels want them
+ */
+#ifndef lambent_CastBatch_h
+#define lambent_CastBatch_h
+
+#include "Window.h"
+
+#include <cstdint>
+
+namespace lambent
+{
+struct CastBatch
+{
+  static constexpr int capacity = 64;
+
+  int count = 0;
+  std::uint32_t triangles[capacity];
+  Window boxes[capacity]; ///< of rays, from the cell's first
+  bool isBoxExact[capacity]; ///< rays of the box certainly pass intersect()'s box test
+  bool cullFront[capacity], cullBack[capacity];
+
+  /// The corners' coordinates: ax, ay, az, bx, ... in the world, for each triangle.
+  alignas(64) double points[9][capacity];
+
+  bool isFull() const { return this->count == capacity; }
+};
+}
+
+#endif

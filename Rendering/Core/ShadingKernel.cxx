@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// This file is compiled once for each instruction set, by including itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "ShadingKernel.cxx"
+#include "VectorTargets.h"
+
+#include "VectorFrame.h"
+
+#include "Elementary.h"
+#include "ShadingKernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+struct Vector3
+{
+  V x, y, z;
+};
+
+Vector3 set(const Vec3& v)
+{
+  return { hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z) };
+}
+
+Vector3 operator+(const Vector3& a, const Vector3& b)
+{
+  return { hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z) };
+}
+
+Vector3 operator-(const Vector3& a, const Vector3& b)
+{
+  return { hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z) };
+}
+
+Vector3 operator*(const Vector3& a, V s)
+{
+  return { hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s) };
+}
+
+Vector3 operator*(const Vector3& a, const Vector3& b)
+{
+  return { hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z) };
+}
+
+V dot(const Vector3& a, const Vector3& b)
+{
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+/// What belongs to the runs of some hits, from arrays with a value for each run.
+class Runs
+{
+public:
+  explicit Runs(const std::int64_t* run)
+    : First(run[0])
+    , IsOne(run[lanes - 1] == run[0])
+    , IsRow(run[lanes - 1] == run[0] + static_cast<std::int64_t>(lanes) - 1)
+    , Indices(hn::LoadU(di, run))
+  {
+  }
+
+  V operator()(const double* values) const
+  {
+    if (this->IsOne)
+    {
+      return hn::Set(d, values[this->First]);
+    }
+    return this->IsRow ? hn::LoadU(d, values + this->First)
+                       : hn::GatherIndex(d, values, this->Indices);
+  }
+  Vector3 operator()(const double (*values)[ShadeBatch::capacity]) const
+  {
+    return { (*this)(values[0]), (*this)(values[1]), (*this)(values[2]) };
+  }
+
+private:
+  static constexpr hn::RebindToSigned<D> di{};
+  std::int64_t First;
+  bool IsOne, IsRow;
+  hn::Vec<hn::RebindToSigned<D>> Indices;
+};
+
+/// Shader::arriving().
+V arriving(const LightSource& source, const Vector3& toLight, V distance)
+{
+  const V one = hn::Set(d, 1.0);
+  const V constant = hn::Set(d, source.attenuation.x), linear = hn::Set(d, source.attenuation.y),
+          quadratic = hn::Set(d, source.attenuation.z);
+  V fraction = hn::Div(one,
+    hn::Add(hn::Add(constant, hn::Mul(linear, distance)),
+      hn::Mul(hn::Mul(quadratic, distance), distance)));
+  if (source.hasCone)
+  {
+    const V cosine = hn::Div(hn::Neg(dot(toLight, set(source.axis))), distance);
+    const M inside = hn::Ge(cosine, hn::Set(d, source.coneCosine));
+    HWY_ALIGN double powers[lanesAtMost];
+    hn::Store(cosine, d, powers);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+    {
+      powers[lane] = power(powers[lane], source.exponent);
+    }
+    fraction = hn::IfThenElseZero(inside, hn::Mul(fraction, hn::Load(d, powers)));
+  }
+  return hn::IfThenElse(hn::Gt(distance, hn::Zero(d)), fraction, one);
+}
+
+/// Shader::lit().
+Vector3 lit(
+  const Shader& shader, const Material& material, const Vector3& point, const Vector3& normal)
+{
+  const V zero = hn::Zero(d);
+  const V normalLength = hn::Sqrt(dot(normal, normal));
+  const bool perLight = shader.ambientModel() == AmbientModel::PerLight;
+  Vector3 sum = set(perLight ? Vec3(0.0) : material.ambient);
+  for (const LightSource& source : shader.sources())
+  {
+    const Vector3 s = source.positional ? set(source.toLight) - point : set(source.toLight);
+    const V distance = hn::Sqrt(dot(s, s));
+    const V facing = dot(s, normal);
+    const M isLit = hn::Gt(facing, zero);
+    const V cosine = hn::Div(facing, hn::Mul(distance, normalLength));
+    Vector3 light = set(source.color);
+    if (!source.isConstant)
+    {
+      light = light * arriving(source, s, distance);
+    }
+    const Vector3 diffuse = (set(material.diffuse) * light) * cosine;
+    Vector3 reflected{ hn::IfThenElseZero(isLit, diffuse.x), hn::IfThenElseZero(isLit, diffuse.y),
+      hn::IfThenElseZero(isLit, diffuse.z) };
+    if (perLight)
+    {
+      reflected = reflected + set(material.ambient) * light;
+    }
+    sum = sum + reflected;
+  }
+  return sum;
+}
+
+/// toByte().
+void storeBytes(V value, std::int32_t* bytes)
+{
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V clamped = hn::IfThenElseZero(
+    hn::Gt(value, zero), hn::IfThenElse(hn::Lt(value, one), value, one));
+  const hn::Rebind<std::int32_t, D> di32;
+  hn::StoreU(
+    hn::DemoteTo(di32, hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5))), di32,
+    bytes);
+}
+
+/// Bring the corners of all runs into the camera's frame.
+void toFrame(const VectorFrame& frame, ShadeBatch& batch)
+{
+  for (int k = 0; k < batch.runs; k += static_cast<int>(lanes))
+  {
+    for (int corner = 0; corner < 9; corner += 3)
+    {
+      const FrameVector p = frame.toFrame(hn::Load(d, batch.points[corner] + k),
+        hn::Load(d, batch.points[corner + 1] + k), hn::Load(d, batch.points[corner + 2] + k));
+      hn::Store(p.x, d, batch.points[corner] + k);
+      hn::Store(p.y, d, batch.points[corner + 1] + k);
+      hn::Store(p.z, d, batch.points[corner + 2] + k);
+    }
+  }
+}
+
+/// The colours of the hits [k, k + lanes).
+Vector3 color(
+  const Shader& shader, const Material& material, bool smooth, const ShadeBatch& batch, int k)
+{
+  const CameraFrame& frame = shader.frame();
+  const Runs runs(batch.run + k);
+  const V x = hn::Load(d, batch.x + k), y = hn::Load(d, batch.y + k);
+  const Vector3 a = runs(batch.points), b = runs(batch.points + 3), c = runs(batch.points + 6);
+  const V one = hn::Set(d, 1.0);
+  const V aw = frame.parallel ? one : a.z, bw = frame.parallel ? one : b.z,
+          cw = frame.parallel ? one : c.z;
+
+  // intersect(), of which only the result is wanted.
+  const V ax = hn::Sub(a.x, hn::Mul(x, aw)), ay = hn::Sub(a.y, hn::Mul(y, aw));
+  const V bx = hn::Sub(b.x, hn::Mul(x, bw)), by = hn::Sub(b.y, hn::Mul(y, bw));
+  const V cx = hn::Sub(c.x, hn::Mul(x, cw)), cy = hn::Sub(c.y, hn::Mul(y, cw));
+  const V e0 = hn::Sub(hn::Mul(bx, cy), hn::Mul(by, cx));
+  const V e1 = hn::Sub(hn::Mul(cx, ay), hn::Mul(cy, ax));
+  const V e2 = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+  const V sum = hn::Add(hn::Add(e0, e1), e2);
+  const V depth =
+    hn::Div(hn::Add(hn::Add(hn::Mul(e0, a.z), hn::Mul(e1, b.z)), hn::Mul(e2, c.z)), sum);
+
+  Vector3 normal = runs(batch.normals);
+  if (smooth)
+  {
+    normal = (normal * hn::Div(e0, sum) + runs(batch.normals + 3) * hn::Div(e1, sum)) +
+      runs(batch.normals + 6) * hn::Div(e2, sum);
+  }
+  if (shader.isTwoSided())
+  {
+    const M back = hn::Lt(sum, hn::Zero(d));
+    normal = { hn::IfThenElse(back, hn::Neg(normal.x), normal.x),
+      hn::IfThenElse(back, hn::Neg(normal.y), normal.y),
+      hn::IfThenElse(back, hn::Neg(normal.z), normal.z) };
+  }
+
+  const Vector3 across = set(frame.right) * x + set(frame.up) * y;
+  const Vector3 forward = set(frame.forward);
+  const Vector3 point = frame.parallel ? across + forward * depth : (across + forward) * depth;
+  return lit(shader, material, point, normal);
+}
+
+void ShadeBatchOfHits(
+  const Shader& shader, const Material& material, bool smooth, ShadeBatch& batch)
+{
+  toFrame(VectorFrame(shader.frame()), batch);
+  // Fill up the last vector with copies of the last hit.
+  const int end = (batch.count + static_cast<int>(lanes) - 1) / static_cast<int>(lanes) *
+    static_cast<int>(lanes);
+  for (int k = batch.count; k < end; ++k)
+  {
+    batch.run[k] = batch.run[batch.count - 1];
+    batch.x[k] = batch.x[batch.count - 1];
+    batch.y[k] = batch.y[batch.count - 1];
+  }
+  for (int k = 0; k < end; k += static_cast<int>(lanes))
+  {
+    const Vector3 result = color(shader, material, smooth, batch, k);
+    hn::Store(result.x, d, batch.colors[0] + k);
+    hn::Store(result.y, d, batch.colors[1] + k);
+    hn::Store(result.z, d, batch.colors[2] + k);
+    storeBytes(result.x, batch.bytes[0] + k);
+    storeBytes(result.y, batch.bytes[1] + k);
+    storeBytes(result.z, batch.bytes[2] + k);
+  }
+}
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent
+{
+HWY_EXPORT(ShadeBatchOfHits);
+
+void shadeBatch(const Shader& shader, const Material& material, bool smooth, ShadeBatch& batch)
+{
+  HWY_DYNAMIC_DISPATCH(ShadeBatchOfHits)(shader, material, smooth, batch);
+}
+}
+#endif
