@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief pictures as tests look at them: pixel by pixel, and bit for bit
+ */
+#ifndef Picture_h
+#define Picture_h
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLambentRayTracer.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+
+/// GLM's own arithmetic, on purpose another one than that of the module.
+using Vec = glm::dvec3;
+
+class Picture
+{
+public:
+  explicit Picture(vtkImageData* image)
+  {
+    this->Image->DeepCopy(image);
+    this->Image->GetExtent(this->Extent);
+  }
+
+  bool empty() const { return this->colors() == nullptr; }
+  int width() const { return this->Extent[1] - this->Extent[0] + 1; }
+  int height() const { return this->Extent[3] - this->Extent[2] + 1; }
+  vtkDataArray* colors() const { return this->Image->GetPointData()->GetScalars(); }
+
+  /// The colour of a pixel of the whole image, i from the left, j from the bottom.
+  Vec at(int i, int j) const
+  {
+    Vec color;
+    this->colors()->GetTuple(this->index(i, j), &color.x);
+    return color;
+  }
+
+  /// The bits of a row from pixel i0 up to, not including, i1.
+  std::string bits(int i0, int i1, int j) const
+  {
+    const int pixel = 3 * this->colors()->GetDataTypeSize();
+    const char* data = static_cast<const char*>(this->colors()->GetVoidPointer(0));
+    return std::string(data + pixel * this->index(i0, j), pixel * (i1 - i0));
+  }
+  std::string bits() const
+  {
+    std::string all;
+    for (int j = this->Extent[2]; !this->empty() && j <= this->Extent[3]; ++j)
+    {
+      all += this->bits(this->Extent[0], this->Extent[1] + 1, j);
+    }
+    return all;
+  }
+
+  int count(const Vec& color) const
+  {
+    int pixels = 0;
+    for (vtkIdType p = 0; p < this->colors()->GetNumberOfTuples(); ++p)
+    {
+      Vec found;
+      this->colors()->GetTuple(p, &found.x);
+      pixels += found == color;
+    }
+    return pixels;
+  }
+
+private:
+  vtkIdType index(int i, int j) const
+  {
+    return static_cast<vtkIdType>(j - this->Extent[2]) * this->width() + (i - this->Extent[0]);
+  }
+
+  vtkNew<vtkImageData> Image;
+  int Extent[6];
+};
+
+inline Picture render(vtkLambentRayTracer* tracer)
+{
+  tracer->Update();
+  return Picture(tracer->GetOutput());
+}
+
+/// For EXPECT_PRED_FORMAT2: the same size and bits; if not, the first pixel that differs.
+inline testing::AssertionResult sameBits(
+  const char* nameA, const char* nameB, const Picture& a, const Picture& b)
+{
+  if (a.empty() || b.empty() || a.width() != b.width() || a.height() != b.height())
+  {
+    return testing::AssertionFailure()
+      << nameA << " or " << nameB << " is empty or of another size";
+  }
+  for (int j = 0; j < a.height(); ++j)
+  {
+    for (int i = 0; i < a.width(); ++i)
+    {
+      if (a.bits(i, i + 1, j) != b.bits(i, i + 1, j))
+      {
+        const Vec left = a.at(i, j), right = b.at(i, j);
+        return testing::AssertionFailure()
+          << nameA << " and " << nameB << " differ at pixel (" << i << ", " << j << "): " << left.x
+          << " " << left.y << " " << left.z << " and " << right.x << " " << right.y << " "
+          << right.z;
+      }
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+#define EXPECT_SAME_BITS(a, b) EXPECT_PRED_FORMAT2(sameBits, a, b)
+
+inline void expectColor(
+  const Vec& found, const Vec& expected, const std::string& where, double tolerance = 1e-6)
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    EXPECT_NEAR(found[channel], expected[channel], tolerance) << where << ", channel " << channel;
+  }
+}
+
+inline std::string pixelName(int i, int j)
+{
+  return "pixel (" + std::to_string(i) + ", " + std::to_string(j) + ")";
+}
+
+#endif
