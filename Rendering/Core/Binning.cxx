@@ -2,55 +2,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Binning.h"
 
+#include "LatticeKernel.h"
+
+#include <limits>
+
 namespace lambent
 {
+namespace
+{
+/// Copy the indices [begin, end). False if one of them is no point's.
+template <typename Index>
+bool copyCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t* out)
+{
+  const auto* from = static_cast<const Index*>(corners.data);
+  std::uint64_t wrong = 0;
+  for (std::size_t k = begin; k < end; ++k)
+  {
+    const auto id = static_cast<std::uint64_t>(static_cast<std::int64_t>(from[k]));
+    wrong |= id >= pointCount;
+    *out++ = static_cast<std::int32_t>(id);
+  }
+  return wrong == 0;
+}
+}
+
 void Binning::run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& defects) const
 {
   this->Triangles.forTriangles(
     begin, end, [&](const Mesh::Part& part, std::size_t partBegin, std::size_t partEnd) {
-      this->runPart(part, partBegin, partEnd, bins, defects);
+      constexpr std::size_t block = LatticeBoxes::capacity;
+      for (std::size_t t = partBegin; t < partEnd; t += block)
+      {
+        this->bin(part, t, std::min(t + block, partEnd), bins, defects);
+      }
     });
 }
 
-void Binning::runPart(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
+void Binning::bin(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
   MeshDefects& defects) const
 {
   const Surface& surface = *part.surface;
   const std::size_t pointCount = surface.points.size;
-  const LatticePosition* positions = this->Positions + part.firstPoint;
-  for (std::size_t t = begin; t < end; ++t)
+  LatticeBoxes boxes;
+  boxes.count = static_cast<int>(end - begin);
+  const bool isSound = this->Kernels && pointCount <= std::numeric_limits<std::int32_t>::max() &&
+    (surface.corners.is64Bit
+        ? copyCorners<std::int64_t>(surface.corners, 3 * begin, 3 * end, pointCount, boxes.corners)
+        : copyCorners<std::int32_t>(
+            surface.corners, 3 * begin, 3 * end, pointCount, boxes.corners));
+  if (!isSound)
   {
-    const auto triangle = static_cast<std::uint32_t>(part.firstTriangle + t);
-    const std::uint64_t corners[3] = { surface.corners[3 * t], surface.corners[3 * t + 1],
-      surface.corners[3 * t + 2] };
-    if (corners[0] >= pointCount || corners[1] >= pointCount || corners[2] >= pointCount)
+    for (std::size_t t = begin; t < end; ++t)
     {
-      defects.wrongCorner = std::min(defects.wrongCorner, triangle);
-      continue;
+      this->binPlainly(part, t, bins, defects);
     }
-    const LatticePosition a = positions[corners[0]];
-    const LatticePosition b = positions[corners[1]];
-    const LatticePosition c = positions[corners[2]];
-    if (std::max(a.column, std::max(b.column, c.column)) < LatticePosition::notFinite)
+    return;
+  }
+  findBoxes(this->Positions + part.firstPoint, boxes);
+  const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
+  for (int k = 0; k < boxes.found; ++k)
+  {
+    bins.insert(first + boxes.triangles[k], this->Lattice.raysFrom(boxes.first[k], boxes.end[k]),
+      this->Lattice.shift() == 0 && boxes.isInexact[k] == 0);
+  }
+  for (int k = 0; k < boxes.unplaced; ++k)
+  {
+    this->binPlainly(part, begin + boxes.unplacedTriangles[k], bins, defects);
+  }
+}
+
+void Binning::binPlainly(
+  const Mesh::Part& part, std::size_t t, Bins& bins, MeshDefects& defects) const
+{
+  const Surface& surface = *part.surface;
+  const LatticePosition* positions = this->Positions + part.firstPoint;
+  const auto triangle = static_cast<std::uint32_t>(part.firstTriangle + t);
+  const std::uint64_t corners[3] = { surface.corners[3 * t], surface.corners[3 * t + 1],
+    surface.corners[3 * t + 2] };
+  if (std::max(corners[0], std::max(corners[1], corners[2])) >= surface.points.size)
+  {
+    defects.wrongCorner = std::min(defects.wrongCorner, triangle);
+    return;
+  }
+  const LatticePosition a = positions[corners[0]];
+  const LatticePosition b = positions[corners[1]];
+  const LatticePosition c = positions[corners[2]];
+  if (std::max(a.column, std::max(b.column, c.column)) < LatticePosition::notFinite)
+  {
+    const Window rays = this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
+    if (!rays.empty())
     {
-      const Window rays =
-        this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
-      if (!rays.empty())
-      {
-        bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
-      }
+      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
     }
-    else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
-      c.column == LatticePosition::notFinite)
-    {
-      // All triangles of such a cell are; it counts once.
-      defects.notFinite += t == 0 || surface.cellOf(t) != surface.cellOf(t - 1);
-      defects.firstNotFinite = std::min(defects.firstNotFinite, triangle);
-    }
-    else if (!this->Culling || !this->isBehindEye(surface.points, corners))
-    {
-      bins.insert(triangle, this->Grid.whole(), false);
-    }
+  }
+  else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
+    c.column == LatticePosition::notFinite)
+  {
+    // All triangles of such a cell are; it counts once.
+    defects.notFinite += t == 0 || surface.cellOf(t) != surface.cellOf(t - 1);
+    defects.firstNotFinite = std::min(defects.firstNotFinite, triangle);
+  }
+  else if (!this->Culling || !this->isBehindEye(surface.points, corners))
+  {
+    bins.insert(triangle, this->Grid.whole(), false);
   }
 }
 

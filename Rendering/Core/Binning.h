@@ -8,6 +8,9 @@
  * between them it is gone; otherwise it goes into the bins of the cells that those
  * rays belong to. A triangle that the eye plane crosses has no bounded projection
  * and goes to all cells; one wholly at or behind the eye plane is dropped.
+ *
+ * binPlainly() takes one triangle after the other and is the definition; where the
+ * mesh allows it, blocks of triangles go through the kernel of LatticeKernel.h.
  */
 #ifndef lambent_Binning_h
 #define lambent_Binning_h
@@ -42,13 +45,14 @@ public:
   /// positions: one for each point of the mesh. Without culling every triangle
   /// goes to every cell.
   Binning(const Mesh& mesh, const CameraFrame& frame, const PointLattice& lattice,
-    const LatticePosition* positions, const CellGrid& grid, bool culling)
+    const LatticePosition* positions, const CellGrid& grid, bool culling, bool kernels)
     : Triangles(mesh)
     , Frame(frame)
     , Lattice(lattice)
     , Positions(positions)
     , Grid(grid)
     , Culling(culling)
+    , Kernels(culling && kernels)
   {
   }
 
@@ -56,8 +60,10 @@ public:
   void run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& defects) const;
 
 private:
-  void runPart(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
+  void bin(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
     MeshDefects& defects) const;
+  void binPlainly(
+    const Mesh::Part& part, std::size_t triangle, Bins& bins, MeshDefects& defects) const;
   bool isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const;
 
   const Mesh& Triangles;
@@ -66,6 +72,7 @@ private:
   const LatticePosition* Positions;
   const CellGrid& Grid;
   bool Culling;
+  bool Kernels;
 };
 }
 

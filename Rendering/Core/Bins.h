@@ -62,6 +62,15 @@ public:
   /// the box of rays is exact, so that there each entry's box is; else of a coarser.
   void insert(std::uint32_t triangle, const Window& rays, bool isExact)
   {
+    const CellGrid::Level& finest = this->Grid->levels().front();
+    const int cell = finest.cellAt(rays.i0, rays.j0), mask = (1 << finest.shift) - 1;
+    if (isExact && cell == finest.cellAt(rays.i1 - 1, rays.j1 - 1) && finest.shift <= 8)
+    {
+      const auto step = [mask](int ray) { return static_cast<std::uint8_t>(ray & mask); };
+      this->append(cell,
+        { triangle, step(rays.i0), step(rays.i1 - 1), step(rays.j0), step(rays.j1 - 1) });
+      return;
+    }
     const CellGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
     const int size = 1 << level.shift;
     for (int j = rays.j0 >> level.shift << level.shift; j < rays.j1; j += size)

@@ -49,7 +49,7 @@ void Cells::plan(const std::vector<Bins>& bins)
   for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
   {
     const std::size_t pages = this->countPages(bins, cell);
-    std::size_t shares = 1;
+    std::size_t shares = pages > 0 ? 1 : 0;
     if (workers > 1 && pages > pagesToSplit)
     {
       shares = std::min({ pages / (pagesToSplit / 4), 4 * workers, maximumShares });
@@ -60,6 +60,10 @@ void Cells::plan(const std::vector<Bins>& bins)
       this->Splits.push_back(std::make_unique<SplitCell>());
       this->Splits.back()->remaining = static_cast<int>(shares);
       this->Splits.back()->rays.reset(this->Frame, this->Image, this->Grid.window(cell));
+    }
+    if (shares == 0)
+    {
+      this->Tasks.push_back({ cell, 0, 0, split });
     }
     for (std::size_t share = 0; share < shares; ++share)
     {
@@ -103,6 +107,11 @@ void Cells::run(
 void Cells::run(
   const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound)
 {
+  if (task.shares == 0 && this->Kept.empty())
+  {
+    this->Painter.paintBackground(this->Grid.window(task.cell));
+    return;
+  }
   CellRays* rays = &memory.rays;
   rays->reset(this->Frame, this->Image, this->Grid.window(task.cell));
   this->cast(task, bins, memory);

@@ -51,7 +51,7 @@ private:
   struct Task
   {
     int cell;
-    int share, shares; ///< of the cell's pages
+    int share, shares; ///< of the cell's pages; none if it has no pages
     int split;         ///< index of the split cell that the hits go to, or -1
   };
   struct SplitCell

@@ -40,14 +40,18 @@ void Painting::paintPlainly(const CellRays& rays) const
 void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
 {
   const Window& window = rays.window();
-  this->fillBackground(window);
+  this->paintBackground(window);
   const Mesh::Part* part = nullptr;
+  const int width = window.width();
+  const double* const xs = rays.xs();
   for (int j = 0; j < window.height(); ++j)
   {
-    const std::int64_t* triangles = rays.triangles() + static_cast<std::size_t>(j) * rays.stride();
+    const std::int64_t* const triangles =
+      rays.triangles() + static_cast<std::size_t>(j) * rays.stride();
+    const double y = rays.ys()[j];
     const std::size_t row =
       static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0;
-    for (int i = 0; i < window.width(); ++i)
+    for (int i = 0; i < width; ++i)
     {
       if (triangles[i] == CellRays::none)
       {
@@ -59,7 +63,7 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
         this->shade(part, batch);
         part = &this->Triangles.partOf(triangle);
       }
-      batch.add(row + i, triangle, rays.xs()[i], rays.ys()[j]);
+      batch.add(row + i, triangle, xs[i], y);
     }
   }
   this->shade(part, batch);
@@ -73,7 +77,7 @@ Vec3 Painting::background(int j) const
   return bottom + (top - bottom) * ((row + 0.5) / this->Target.height);
 }
 
-void Painting::fillBackground(const Window& window) const
+void Painting::paintBackground(const Window& window) const
 {
   for (int j = window.j0; j < window.j1; ++j)
   {

@@ -25,11 +25,11 @@ public:
 
   void paintPlainly(const CellRays& rays) const;
   void paint(const CellRays& rays, ShadeBatch& batch) const;
+  void paintBackground(const Window& window) const;
 
 private:
   /// The background's colour in a row of the image's part.
   Vec3 background(int j) const;
-  void fillBackground(const Window& window) const;
   void store(std::size_t pixel, const Vec3& color) const;
   void shade(const Mesh::Part* part, ShadeBatch& batch) const;
   static void load(const Mesh::Part& part, ShadeBatch& batch);

@@ -31,7 +31,7 @@ PointLattice::PointLattice(const CameraFrame& frame, const Window& window)
 
 std::uint16_t PointLattice::position(const Axis& axis, double u, int shift)
 {
-  if (!(axis.margin < 0.25) || std::isnan(u))
+  if (std::isnan(u))
   {
     return LatticePosition::anywhere;
   }
@@ -49,7 +49,7 @@ std::uint16_t PointLattice::position(const Axis& axis, double u, int shift)
 LatticePosition PointLattice::locate(const Vec3& point) const
 {
   const FramePoint p = this->Frame.toFrame(point);
-  if (!(p.w > 0.0) || !std::isfinite(p.z))
+  if (!(p.w > 0.0) || !std::isfinite(p.z) || !this->isPrecise())
   {
     // Each of the frame's axes mixes all coordinates: one that is not finite shows in z.
     const bool finite = std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);

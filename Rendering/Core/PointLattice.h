@@ -43,24 +43,48 @@ struct LatticePosition
 class PointLattice
 {
 public:
+  struct Axis
+  {
+    double origin; ///< of the image plane, in rays from the window's first one
+    double margin; ///< in rays
+    int count;     ///< of rays
+  };
+
   PointLattice(const CameraFrame& frame, const Window& window);
 
+  const CameraFrame& frame() const { return this->Frame; }
+  double raysPerUnit() const { return this->RaysPerUnit; }
+  const Axis& columns() const { return this->Columns; }
+  const Axis& rows() const { return this->Rows; }
+  int shift() const { return this->Shift; }
+
   LatticePosition locate(const Vec3& point) const;
+
+  /// Whether positions mean anything: not where the window lies so far from the
+  /// image's centre that rounding could move a position by a ray.
+  bool isPrecise() const { return this->Columns.margin < 0.25 && this->Rows.margin < 0.25; }
 
   /// The rays that can hit a triangle with points at a, b and c, none of them
   /// "anywhere" or "not finite".
   Window raysBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
-    const Window groups{ std::min(a.column, std::min(b.column, c.column)) >> 1,
-      (std::max(a.column, std::max(b.column, c.column)) + 1) >> 1,
-      std::min(a.row, std::min(b.row, c.row)) >> 1,
-      (std::max(a.row, std::max(b.row, c.row)) + 1) >> 1 };
+    return this->raysFrom(
+      { static_cast<std::uint16_t>(std::min(a.column, std::min(b.column, c.column)) >> 1),
+        static_cast<std::uint16_t>(std::min(a.row, std::min(b.row, c.row)) >> 1) },
+      { static_cast<std::uint16_t>((std::max(a.column, std::max(b.column, c.column)) + 1) >> 1),
+        static_cast<std::uint16_t>((std::max(a.row, std::max(b.row, c.row)) + 1) >> 1) });
+  }
+
+  /// The rays of groups from first on, before end.
+  Window raysFrom(LatticePosition first, LatticePosition end) const
+  {
     if (this->Shift == 0)
     {
-      return groups;
+      return { first.column, end.column, first.row, end.row };
     }
-    return { groups.i0 << this->Shift, std::min(groups.i1 << this->Shift, this->Columns.count),
-      groups.j0 << this->Shift, std::min(groups.j1 << this->Shift, this->Rows.count) };
+    return { first.column << this->Shift,
+      std::min(end.column << this->Shift, this->Columns.count), first.row << this->Shift,
+      std::min(end.row << this->Shift, this->Rows.count) };
   }
 
   /// Whether raysBetween() is exactly the rays that pass intersect()'s box test: no
@@ -71,12 +95,6 @@ public:
   }
 
 private:
-  struct Axis
-  {
-    double origin; ///< of the image plane, in rays from the window's first one
-    double margin; ///< in rays
-    int count;     ///< of rays
-  };
   static std::uint16_t position(const Axis& axis, double u, int shift);
 
   CameraFrame Frame;

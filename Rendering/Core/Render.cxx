@@ -3,6 +3,7 @@
 #include "Render.h"
 
 #include "Cells.h"
+#include "LatticeKernel.h"
 
 namespace lambent
 {
@@ -29,7 +30,7 @@ public:
     , Positions(new LatticePosition[this->Triangles.pointCount()])
     , Grid(image.part.width(), image.part.height(), settings.cellShift)
     , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
-        settings.culling)
+        settings.culling, settings.kernels)
     , WorkerDefects(parallel.workers())
     , Caster(this->Triangles, this->Frame, this->Grid)
     , Shades(scene, this->Triangles, this->Frame)
@@ -95,9 +96,15 @@ private:
   {
     this->Triangles.forPoints(
       begin, end, [this](const Mesh::Part& part, std::size_t from, std::size_t to) {
+        LatticePosition* positions = this->Positions.get() + part.firstPoint;
+        if (this->How.kernels)
+        {
+          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions);
+          return;
+        }
         for (std::size_t p = from; p < to; ++p)
         {
-          this->Positions[part.firstPoint + p] = this->Lattice.locate(part.surface->points[p]);
+          positions[p] = this->Lattice.locate(part.surface->points[p]);
         }
       });
   }

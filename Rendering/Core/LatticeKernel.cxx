@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// This file is compiled once for each instruction set, by including itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "LatticeKernel.cxx"
+#include "VectorTargets.h"
+
+#include "VectorFrame.h"
+
+#include "LatticeKernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+using Halves = hn::Rebind<std::uint16_t, D>;
+
+void loadPoints(const double* from, V& x, V& y, V& z)
+{
+  hn::LoadInterleaved3(d, from, x, y, z);
+}
+
+void loadPoints(const float* from, V& x, V& y, V& z)
+{
+  const hn::Rebind<float, D> df;
+  hn::Vec<hn::Rebind<float, D>> fx, fy, fz;
+  hn::LoadInterleaved3(df, from, fx, fy, fz);
+  x = hn::PromoteTo(d, fx);
+  y = hn::PromoteTo(d, fy);
+  z = hn::PromoteTo(d, fz);
+}
+
+/// PointLattice::position(), of numbers only.
+hn::Vec<Halves> position(const PointLattice::Axis& axis, V u, int shift)
+{
+  const hn::Rebind<std::int32_t, D> di;
+  const V zero = hn::Zero(d), last = hn::Set(d, axis.count), margin = hn::Set(d, axis.margin);
+  const V left = hn::Min(hn::Max(hn::Sub(u, margin), zero), last);
+  const V right =
+    hn::Min(hn::Max(hn::Add(hn::Add(u, margin), hn::Set(d, 1.0)), zero), last);
+  const auto first = hn::DemoteTo(di, hn::Ceil(left));
+  const auto end = hn::DemoteTo(di, right);
+  const auto roundUp = hn::Set(di, (1 << shift) - 1);
+  return hn::DemoteTo(Halves(),
+    hn::Add(hn::ShiftRightSame(first, shift), hn::ShiftRightSame(hn::Add(end, roundUp), shift)));
+}
+
+template <typename Coordinate>
+void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
+  std::size_t end, LatticePosition* positions)
+{
+  const VectorFrame frame(lattice.frame());
+  const auto* coordinates = static_cast<const Coordinate*>(points.data);
+  const V infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  std::size_t p = begin;
+  for (; p + lanes <= end; p += lanes)
+  {
+    V x, y, z;
+    loadPoints(coordinates + 3 * p, x, y, z);
+    const FrameVector v = frame.toFrame(x, y, z);
+    const V perUnit = hn::Div(hn::Set(d, lattice.raysPerUnit()), v.w);
+    const V column =
+      hn::Add(hn::Mul(v.x, perUnit), hn::Set(d, lattice.columns().origin));
+    const V row = hn::Add(hn::Mul(v.y, perUnit), hn::Set(d, lattice.rows().origin));
+    hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
+      position(lattice.rows(), row, lattice.shift()), Halves(), &positions[p].column);
+    const M isPlaced = hn::And(hn::And(hn::Gt(v.w, hn::Zero(d)), hn::Lt(hn::Abs(v.z), infinity)),
+      hn::And(hn::Eq(column, column), hn::Eq(row, row)));
+    if (!hn::AllTrue(d, isPlaced))
+    {
+      for (std::size_t k = p; k < p + lanes; ++k)
+      {
+        positions[k] = lattice.locate(points[k]);
+      }
+    }
+  }
+  for (; p < end; ++p)
+  {
+    positions[p] = lattice.locate(points[p]);
+  }
+}
+
+void LocatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
+  std::size_t end, LatticePosition* positions)
+{
+  points.isDouble ? locate<double>(lattice, points, begin, end, positions)
+                  : locate<float>(lattice, points, begin, end, positions);
+}
+
+#if HWY_TARGET == HWY_SCALAR
+// One triangle at a time: lanes of 32 bits cannot be seen as pairs of 16 here.
+void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
+{
+  boxes.found = boxes.unplaced = 0;
+  for (int k = 0; k < boxes.count; ++k)
+  {
+    const LatticePosition a = positions[boxes.corners[3 * k]];
+    const LatticePosition b = positions[boxes.corners[3 * k + 1]];
+    const LatticePosition c = positions[boxes.corners[3 * k + 2]];
+    const auto first = [](int p, int q, int r) {
+      return static_cast<std::uint16_t>(std::min(p, std::min(q, r)) >> 1);
+    };
+    const auto end = [](int p, int q, int r) {
+      return static_cast<std::uint16_t>((std::max(p, std::max(q, r)) + 1) >> 1);
+    };
+    boxes.triangles[boxes.found] = static_cast<std::uint32_t>(k);
+    boxes.unplacedTriangles[boxes.unplaced] = static_cast<std::uint32_t>(k);
+    boxes.first[boxes.found] = { first(a.column, b.column, c.column), first(a.row, b.row, c.row) };
+    boxes.end[boxes.found] = { end(a.column, b.column, c.column), end(a.row, b.row, c.row) };
+    boxes.isInexact[boxes.found] =
+      (a.column | b.column | c.column | a.row | b.row | c.row) & 1;
+    const bool isUnplaced =
+      std::max(a.column, std::max(b.column, c.column)) >= LatticePosition::notFinite;
+    boxes.unplaced += isUnplaced;
+    boxes.found += !isUnplaced && boxes.first[boxes.found].column < boxes.end[boxes.found].column &&
+      boxes.first[boxes.found].row < boxes.end[boxes.found].row;
+  }
+}
+#else
+// A position's two halves stand side by side in one lane of 32 bits.
+using Pairs = hn::CappedTag<std::uint32_t, 16>;
+using PairIndices = hn::RebindToSigned<Pairs>;
+using PairHalves = hn::Repartition<std::uint16_t, Pairs>;
+
+void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
+{
+  static_assert(LatticeBoxes::capacity % hn::MaxLanes(Pairs()) == 0, "no vector sticks out");
+  const Pairs dp;
+  const PairIndices di;
+  const PairHalves dh;
+  const auto* pairs = reinterpret_cast<const std::uint32_t*>(positions);
+  const auto isOne = hn::Set(dp, 0xFFFFFFFFu), ones = hn::Set(dp, 0x00010001u);
+  const auto columnBits = hn::Set(dp, 0xFFFFu);
+  boxes.found = boxes.unplaced = 0;
+  const auto step = static_cast<int>(hn::Lanes(dp));
+  // The last vector may look up more triangles than there are: any point will do.
+  std::fill(boxes.corners + 3 * boxes.count,
+    boxes.corners + std::min(3 * (boxes.count + step), 3 * LatticeBoxes::capacity), 0);
+  for (int k = 0; k < boxes.count; k += step)
+  {
+    hn::Vec<PairIndices> ia, ib, ic;
+    hn::LoadInterleaved3(di, boxes.corners + 3 * k, ia, ib, ic);
+    const auto a = hn::BitCast(dh, hn::GatherIndex(dp, pairs, ia));
+    const auto b = hn::BitCast(dh, hn::GatherIndex(dp, pairs, ib));
+    const auto c = hn::BitCast(dh, hn::GatherIndex(dp, pairs, ic));
+    const auto smallest = hn::Min(hn::Min(a, b), c), largest = hn::Max(hn::Max(a, b), c);
+    const auto first = hn::ShiftRight<1>(smallest);
+    const auto end = hn::ShiftRight<1>(hn::Add(largest, hn::Set(dh, 1)));
+    const auto hasRays =
+      hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
+    // Both halves of a position say so if it is unplaced; one of them is the column.
+    const auto unplaced = hn::Gt(hn::And(hn::BitCast(dp, largest), columnBits),
+      hn::Set(dp, LatticePosition::notFinite - 1u));
+    const auto isUsed = hn::Lt(hn::Iota(di, k), hn::Set(di, boxes.count));
+    const auto used = hn::RebindMask(dp, isUsed);
+    const auto keep = hn::AndNot(unplaced, hn::And(hasRays, used));
+    const auto numbers = hn::BitCast(dp, hn::Iota(di, k));
+    const auto inexact = hn::And(hn::BitCast(dp, hn::Or(hn::Or(a, b), c)), ones);
+    hn::CompressStore(numbers, keep, dp, boxes.triangles + boxes.found);
+    hn::CompressStore(hn::BitCast(dp, first), keep, dp,
+      reinterpret_cast<std::uint32_t*>(boxes.first + boxes.found));
+    hn::CompressStore(hn::BitCast(dp, end), keep, dp,
+      reinterpret_cast<std::uint32_t*>(boxes.end + boxes.found));
+    boxes.found += static_cast<int>(
+      hn::CompressStore(inexact, keep, dp, boxes.isInexact + boxes.found));
+    const auto aside = hn::And(unplaced, used);
+    if (!hn::AllFalse(dp, aside))
+    {
+      boxes.unplaced += static_cast<int>(
+        hn::CompressStore(numbers, aside, dp, boxes.unplacedTriangles + boxes.unplaced));
+    }
+  }
+}
+#endif
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent
+{
+HWY_EXPORT(LocatePoints);
+HWY_EXPORT(FindBoxes);
+
+void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
+  std::size_t end, LatticePosition* positions)
+{
+  HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions);
+}
+
+void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
+{
+  HWY_DYNAMIC_DISPATCH(FindBoxes)(positions, boxes);
+}
+}
+#endif

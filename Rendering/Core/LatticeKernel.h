@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief PointLattice for many points, and its boxes for many triangles, at a time
+ */
+#ifndef lambent_LatticeKernel_h
+#define lambent_LatticeKernel_h
+
+#include "PointLattice.h"
+#include "Scene.h"
+
+namespace lambent
+{
+/// PointLattice::locate() for the points [begin, end).
+void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
+  std::size_t end, LatticePosition* positions);
+
+/// The boxes of some triangles.
+struct LatticeBoxes
+{
+  static constexpr int capacity = 256;
+
+  /// Going in: the corners of each triangle, three after three.
+  int count = 0;
+  std::int32_t corners[3 * capacity];
+
+  /// Coming out: the triangles with a ray in their box, by their place among those
+  /// that went in, the ends of that box, and whether it is exact.
+  int found = 0;
+  std::uint32_t triangles[capacity];
+  LatticePosition first[capacity], end[capacity];
+  std::uint32_t isInexact[capacity];
+
+  /// And those with a point that is anywhere or not finite.
+  int unplaced = 0;
+  std::uint32_t unplacedTriangles[capacity];
+};
+
+/// Fill in what comes out. The ends are those that raysBetween() would give, before
+/// groups of rays are taken apart.
+void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes);
+}
+
+#endif
