@@ -133,83 +133,123 @@ void Casting::test(
 void Casting::cast(const BinPage& page, const CellGrid::Level& level, CellRays& rays,
   CastBatches& batches) const
 {
+  Candidate candidates[BinPage::capacity];
+  this->fetch(page, candidates);
   const bool isFinest = this->Grid.isFinest(level);
   for (int k = 0; k < page.count; ++k)
   {
     const BinEntry& entry = page.entries[k];
-    const Window box = this->boxIn(rays, level, entry);
-    if (box.empty() ||
-      (!isFinest && this->misses(this->triangle(entry.triangle), rays, box)))
+    const Candidate& candidate = candidates[k];
+    const Material& material = candidate.surface->material;
+    if (!isFinest)
     {
+      const Window box = this->boxIn(rays, level, entry);
+      if (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box))
+      {
+        this->addLarge(candidate, box, false, rays, batches.large);
+      }
       continue;
     }
-    const Material& material = this->Triangles.partOf(entry.triangle).surface->material;
-    const bool isSmall = isFinest && box.width() <= 2 && box.height() <= 2 &&
-      !material.cullFront && !material.cullBack;
-    const int shape = 2 * (box.height() - 1) + (box.width() - 1);
-    CastBatch& batch = isSmall ? batches.small[shape] : batches.large;
-    batch.triangles[batch.count] = entry.triangle;
-    batch.boxes[batch.count] = box;
-    batch.isBoxExact[batch.count] = isFinest;
-    batch.cullFront[batch.count] = material.cullFront;
-    batch.cullBack[batch.count] = material.cullBack;
-    ++batch.count;
-    if (batch.isFull())
+    const Window box{ entry.i0, entry.i1 + 1, entry.j0, entry.j1 + 1 };
+    if (box.width() <= CastBatches::side && box.height() <= CastBatches::side &&
+      !material.cullFront && !material.cullBack)
     {
-      isSmall ? this->flushSmall(shape, rays, batches) : this->flushLarge(rays, batch);
+      this->addSmall(
+        candidate, box, rays, batches.small[box.height() - 1][box.width() - 1]);
     }
+    else
+    {
+      this->addLarge(candidate, box, true, rays, batches.large);
+    }
+  }
+}
+
+// Points lie anywhere in memory: all of a page's are asked for before the first is
+// read, and so are the corners of the page that comes next.
+void Casting::fetch(const BinPage& page, Candidate* candidates) const
+{
+  if (page.next)
+  {
+    for (int k = 0; k < page.next->count; ++k)
+    {
+      const std::uint32_t number = page.next->entries[k].triangle;
+      const Mesh::Part& part = this->Triangles.partOf(number);
+      hwy::Prefetch(part.surface->corners.at(3 * (number - part.firstTriangle)));
+    }
+  }
+  for (int k = 0; k < page.count; ++k)
+  {
+    Candidate& candidate = candidates[k];
+    candidate.number = page.entries[k].triangle;
+    const Mesh::Part& part = this->Triangles.partOf(candidate.number);
+    candidate.surface = part.surface;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      candidate.corners[corner] =
+        part.surface->corners[3 * (candidate.number - part.firstTriangle) + corner];
+      hwy::Prefetch(part.surface->points.at(candidate.corners[corner]));
+    }
+  }
+}
+
+namespace
+{
+template <typename Batch>
+void putPoints(const TupleSpan& points, const std::uint64_t corners[3], Batch& batch)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Vec3 p = points[corners[corner]];
+    batch.points[3 * corner][batch.count] = p.x;
+    batch.points[3 * corner + 1][batch.count] = p.y;
+    batch.points[3 * corner + 2][batch.count] = p.z;
+  }
+}
+}
+
+void Casting::addSmall(
+  const Candidate& candidate, const Window& box, CellRays& rays, SmallBatch& batch) const
+{
+  putPoints(candidate.surface->points, candidate.corners, batch);
+  batch.triangles[batch.count] = candidate.number;
+  batch.firstRays[batch.count] = static_cast<std::uint32_t>(box.j0 * rays.stride() + box.i0);
+  batch.i[batch.count] = this->Image.i0 + rays.window().i0 + box.i0;
+  batch.j[batch.count] = this->Image.j0 + rays.window().j0 + box.j0;
+  if (++batch.count == SmallBatch::capacity)
+  {
+    castSmall(this->Frame, batch, box.width(), box.height(), rays);
+    batch.count = 0;
+  }
+}
+
+void Casting::addLarge(const Candidate& candidate, const Window& box, bool isBoxExact,
+  CellRays& rays, LargeBatch& batch) const
+{
+  putPoints(candidate.surface->points, candidate.corners, batch);
+  batch.triangles[batch.count] = candidate.number;
+  batch.boxes[batch.count] = box;
+  batch.isBoxExact[batch.count] = isBoxExact;
+  batch.cullFront[batch.count] = candidate.surface->material.cullFront;
+  batch.cullBack[batch.count] = candidate.surface->material.cullBack;
+  if (++batch.count == LargeBatch::capacity)
+  {
+    castLarge(this->Frame, batch, rays);
+    batch.count = 0;
   }
 }
 
 void Casting::flush(CellRays& rays, CastBatches& batches) const
 {
-  for (int shape = 0; shape < 4; ++shape)
+  for (int height = 1; height <= CastBatches::side; ++height)
   {
-    this->flushSmall(shape, rays, batches);
-  }
-  this->flushLarge(rays, batches.large);
-}
-
-void Casting::flushSmall(int shape, CellRays& rays, CastBatches& batches) const
-{
-  CastBatch& batch = batches.small[shape];
-  this->load(batch);
-  castSmall(this->Frame, batch, shape % 2 + 1, shape / 2 + 1, rays);
-  batch.count = 0;
-}
-
-void Casting::flushLarge(CellRays& rays, CastBatch& batch) const
-{
-  this->load(batch);
-  castLarge(this->Frame, batch, rays);
-  batch.count = 0;
-}
-
-// Points lie anywhere in memory: first ask for all of them, then read them.
-void Casting::load(CastBatch& batch) const
-{
-  std::uint64_t corners[CastBatch::capacity][3];
-  const Surface* surfaces[CastBatch::capacity];
-  for (int k = 0; k < batch.count; ++k)
-  {
-    const Mesh::Part& part = this->Triangles.partOf(batch.triangles[k]);
-    const std::size_t first = 3 * (batch.triangles[k] - part.firstTriangle);
-    surfaces[k] = part.surface;
-    for (std::size_t corner = 0; corner < 3; ++corner)
+    for (int width = 1; width <= CastBatches::side; ++width)
     {
-      corners[k][corner] = part.surface->corners[first + corner];
-      hwy::Prefetch(part.surface->points.at(corners[k][corner]));
+      SmallBatch& batch = batches.small[height - 1][width - 1];
+      castSmall(this->Frame, batch, width, height, rays);
+      batch.count = 0;
     }
   }
-  for (int k = 0; k < batch.count; ++k)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const Vec3 p = surfaces[k]->points[corners[k][corner]];
-      batch.points[3 * corner][k] = p.x;
-      batch.points[3 * corner + 1][k] = p.y;
-      batch.points[3 * corner + 2][k] = p.z;
-    }
-  }
+  castLarge(this->Frame, batches.large, rays);
+  batches.large.count = 0;
 }
 }

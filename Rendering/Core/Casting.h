@@ -23,21 +23,15 @@
 
 namespace lambent
 {
-/// The triangles that a worker has collected, by the size of their boxes: 1 x 1,
-/// 2 x 1, 1 x 2, 2 x 2 rays, and larger ones.
-struct CastBatches
-{
-  CastBatch small[4];
-  CastBatch large;
-};
-
 class Casting
 {
 public:
-  Casting(const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid)
+  Casting(
+    const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid, const Window& image)
     : Triangles(mesh)
     , Frame(frame)
     , Grid(grid)
+    , Image(image)
   {
   }
 
@@ -56,16 +50,27 @@ private:
     bool cullFront, cullBack;
   };
   Triangle triangle(std::uint32_t number) const;
+
+  /// A triangle whose points are on their way from memory.
+  struct Candidate
+  {
+    std::uint32_t number;
+    const Surface* surface;
+    std::uint64_t corners[3];
+  };
+  void fetch(const BinPage& page, Candidate* candidates) const;
   bool misses(const Triangle& triangle, const CellRays& rays, const Window& box) const;
   Window boxIn(const CellRays& rays, const CellGrid::Level& level, const BinEntry& entry) const;
   void test(const Triangle& triangle, std::uint32_t number, const Window& box, CellRays& rays) const;
-  void load(CastBatch& batch) const;
-  void flushSmall(int shape, CellRays& rays, CastBatches& batches) const;
-  void flushLarge(CellRays& rays, CastBatch& batch) const;
+  void addSmall(const Candidate& candidate, const Window& box, CellRays& rays,
+    SmallBatch& batch) const;
+  void addLarge(const Candidate& candidate, const Window& box, bool isBoxExact, CellRays& rays,
+    LargeBatch& batch) const;
 
   const Mesh& Triangles;
   const CameraFrame& Frame;
   const CellGrid& Grid;
+  const Window Image;
 };
 }
 

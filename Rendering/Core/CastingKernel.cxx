@@ -74,7 +74,8 @@ struct Corners
   FrameVector a, b, c;
 };
 
-Corners corners(const VectorFrame& frame, const CastBatch& batch, std::size_t k)
+template <typename Batch>
+Corners corners(const VectorFrame& frame, const Batch& batch, std::size_t k)
 {
   const auto corner = [&](int first) {
     return frame.toFrame(hn::Load(d, batch.points[first] + k),
@@ -83,42 +84,49 @@ Corners corners(const VectorFrame& frame, const CastBatch& batch, std::size_t k)
   return { corner(0), corner(3), corner(6) };
 }
 
+/// CameraFrame::x() and y() of pixels that are steps away from others.
+V onPlane(V pixels, int steps, double center, double size)
+{
+  const V moved = hn::Add(pixels, hn::Set(d, steps));
+  return hn::Mul(
+    hn::Sub(hn::Add(moved, hn::Set(d, 0.5)), hn::Set(d, center)), hn::Set(d, size));
+}
+
+void offer(const VectorHit& hit, const SmallBatch& batch, std::size_t k, std::size_t ray,
+  std::size_t used, CellRays& rays)
+{
+  HWY_ALIGN double depths[lanesAtMost];
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(d, hit.mask, bits);
+  hn::Store(hit.depth, d, depths);
+  for (std::uint32_t left = bits[0] & ((1u << used) - 1u); left != 0; left &= left - 1)
+  {
+    const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+    rays.offer(batch.firstRays[k + lane] + ray, depths[lane], batch.triangles[k + lane]);
+  }
+}
+
 void CastSmall(
-  const CameraFrame& frame, const CastBatch& batch, int width, int height, CellRays& rays)
+  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays)
 {
   const VectorFrame vectorFrame(frame);
-  HWY_ALIGN double xs[2][lanesAtMost], ys[2][lanesAtMost], depths[lanesAtMost];
-  std::size_t first[lanesAtMost];
-  std::uint8_t bits[8];
   for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); k += lanes)
   {
     const std::size_t used = std::min<std::size_t>(lanes, batch.count - k);
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-    {
-      const Window& box = batch.boxes[k + std::min(lane, used - 1)];
-      xs[0][lane] = rays.xs()[box.i0];
-      xs[1][lane] = rays.xs()[box.i1 - 1];
-      ys[0][lane] = rays.ys()[box.j0];
-      ys[1][lane] = rays.ys()[box.j1 - 1];
-      first[lane] = static_cast<std::size_t>(box.j0) * rays.stride() + box.i0;
-    }
     const Corners t = corners(vectorFrame, batch, k);
-    for (int dx = 0; dx < width; ++dx)
+    const V i = hn::Load(d, batch.i + k), j = hn::Load(d, batch.j + k);
+    for (int dy = 0; dy < height; ++dy)
     {
-      const Sheared x =
-        shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w, hn::Load(d, xs[dx]));
-      for (int dy = 0; dy < height; ++dy)
+      const Sheared y = shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w,
+        onPlane(j, dy, frame.centerY, frame.pixel));
+      for (int dx = 0; dx < width; ++dx)
       {
-        const Sheared y =
-          shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w, hn::Load(d, ys[dy]));
+        const Sheared x = shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w,
+          onPlane(i, dx, frame.centerX, frame.pixel));
         const VectorHit hit = edges(x, y, t.a.z, t.b.z, t.c.z);
-        hn::StoreMaskBits(d, hit.mask, bits);
-        hn::Store(hit.depth, d, depths);
-        for (std::uint32_t left = bits[0] & ((1u << used) - 1u); left != 0; left &= left - 1)
+        if (!hn::AllFalse(d, hit.mask))
         {
-          const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-          rays.offer(first[lane] + static_cast<std::size_t>(dy) * rays.stride() + dx,
-            depths[lane], batch.triangles[k + lane]);
+          offer(hit, batch, k, static_cast<std::size_t>(dy) * rays.stride() + dx, used, rays);
         }
       }
     }
@@ -208,7 +216,7 @@ void castOne(const Large& t, std::vector<double>& rowMemory, CellRays& rays)
   }
 }
 
-void CastLarge(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
+void CastLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays)
 {
   const VectorFrame vectorFrame(frame);
   thread_local std::vector<double> rowMemory;
@@ -248,12 +256,12 @@ HWY_EXPORT(CastSmall);
 HWY_EXPORT(CastLarge);
 
 void castSmall(
-  const CameraFrame& frame, const CastBatch& batch, int width, int height, CellRays& rays)
+  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays)
 {
   HWY_DYNAMIC_DISPATCH(CastSmall)(frame, batch, width, height, rays);
 }
 
-void castLarge(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
+void castLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays)
 {
   HWY_DYNAMIC_DISPATCH(CastLarge)(frame, batch, rays);
 }

@@ -19,11 +19,11 @@
 
 namespace lambent
 {
-/// All boxes are width x height rays, each 1 or 2, and exact; nothing is culled.
+/// All boxes are width x height rays.
 void castSmall(
-  const CameraFrame& frame, const CastBatch& batch, int width, int height, CellRays& rays);
+  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays);
 
-void castLarge(const CameraFrame& frame, const CastBatch& batch, CellRays& rays);
+void castLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays);
 }
 
 #endif

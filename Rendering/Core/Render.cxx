@@ -32,7 +32,7 @@ public:
     , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
         settings.culling, settings.kernels)
     , WorkerDefects(parallel.workers())
-    , Caster(this->Triangles, this->Frame, this->Grid)
+    , Caster(this->Triangles, this->Frame, this->Grid, image.part)
     , Shades(scene, this->Triangles, this->Frame)
     , Painter(scene, this->Triangles, this->Shades, image)
     , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter,

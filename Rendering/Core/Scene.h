@@ -52,6 +52,12 @@ struct IndexSpan
   bool is64Bit = false;
   std::size_t size = 0;
 
+  /// Where index i lies.
+  const char* at(std::size_t i) const
+  {
+    return static_cast<const char*>(this->data) + (this->is64Bit ? 8 : 4) * i;
+  }
+
   std::uint64_t operator[](std::size_t i) const
   {
     return this->is64Bit
