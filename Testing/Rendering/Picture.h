@@ -10,8 +10,8 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -81,7 +81,7 @@ private:
     return static_cast<vtkIdType>(j - this->Extent[2]) * this->width() + (i - this->Extent[0]);
   }
 
-  vtkNew<vtkImageData> Image;
+  vtkSmartPointer<vtkImageData> Image = vtkSmartPointer<vtkImageData>::New();
   int Extent[6];
 };
 

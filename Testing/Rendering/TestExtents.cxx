@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A part of the image that is asked for downstream is computed alone, and equals that
+// part of the whole bit for bit.
+#include "Meshes.h"
+
+#include "vtkExtractVOI.h"
+#include "vtkImageDataStreamer.h"
+
+namespace
+{
+void setUp(Studio& studio)
+{
+  studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });
+  studio.camera->SetWindowCenter(0.1, -0.2);
+  studio.tracer->AddInputDataObject(makeSphere(12));
+  studio.tracer->AddInputDataObject(makeBox(0.8, 0.9, 0.7));
+  studio.tracer->SetBackground2(0.5, 0.6, 0.7);
+  studio.tracer->GradientBackgroundOn();
+}
+
+const int windows[][4] = { { 0, 0, 0, 0 }, { 100, 100, 66, 66 }, { 0, 100, 33, 33 },
+  { 50, 50, 0, 66 }, { 31, 64, 32, 33 }, { 7, 93, 5, 61 }, { 33, 47, 0, 66 } };
+}
+
+TEST(Extents, PartsEqualTheWhole)
+{
+  Studio studio(101, 67);
+  setUp(studio);
+  const Picture whole = render(studio.tracer);
+  for (const auto& w : windows)
+  {
+    Studio part(101, 67);
+    setUp(part);
+    const int extent[6] = { w[0], w[1], w[2], w[3], 0, 0 };
+    part.tracer->UpdateExtent(extent);
+    const Picture picture(part.tracer->GetOutput());
+    ASSERT_EQ(picture.width(), w[1] - w[0] + 1); // not more than was asked for
+    ASSERT_EQ(picture.height(), w[3] - w[2] + 1);
+    for (int j = w[2]; j <= w[3]; ++j)
+    {
+      EXPECT_EQ(picture.bits(w[0], w[1] + 1, j), whole.bits(w[0], w[1] + 1, j))
+        << "row " << j << " of columns " << w[0] << " to " << w[1];
+    }
+  }
+}
+
+TEST(Extents, ExtractVOIAsksForItsPart)
+{
+  Studio studio(101, 67);
+  setUp(studio);
+  const Picture whole = render(studio.tracer);
+  for (const auto& w : windows)
+  {
+    Studio part(101, 67);
+    setUp(part);
+    vtkNew<vtkExtractVOI> voi;
+    voi->SetInputConnection(part.tracer->GetOutputPort());
+    voi->SetVOI(w[0], w[1], w[2], w[3], 0, 0);
+    voi->Update();
+    EXPECT_EQ(part.tracer->GetOutput()->GetNumberOfPoints(),
+      static_cast<vtkIdType>(w[1] - w[0] + 1) * (w[3] - w[2] + 1));
+    const Picture picture(voi->GetOutput());
+    std::string expected;
+    for (int j = w[2]; j <= w[3]; ++j)
+    {
+      expected += whole.bits(w[0], w[1] + 1, j);
+    }
+    EXPECT_EQ(picture.bits(), expected);
+  }
+}
+
+TEST(Extents, StreamedInDivisions)
+{
+  for (int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
+  {
+    Studio studio(101, 67), parts(101, 67);
+    setUp(studio);
+    setUp(parts);
+    studio.tracer->SetOutputScalarType(type);
+    parts.tracer->SetOutputScalarType(type);
+    const Picture whole = render(studio.tracer);
+    vtkNew<vtkImageDataStreamer> streamer;
+    streamer->SetInputConnection(parts.tracer->GetOutputPort());
+    streamer->SetNumberOfStreamDivisions(7);
+    streamer->Update();
+    const Picture streamed(streamer->GetOutput());
+    EXPECT_SAME_BITS(whole, streamed);
+    EXPECT_LT(parts.tracer->GetOutput()->GetNumberOfPoints(), 101 * 67);
+  }
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
+#include "Messages.h"
+
+#include <thread>
+
+namespace
+{
+/// What is told of the progress, and an abort as soon as it exceeds a fraction.
+struct Watcher
+{
+  std::vector<double> told;
+  bool isOwnThread = true;
+  double abortAt = 2.0;
+  std::thread::id thread = std::this_thread::get_id();
+  vtkNew<vtkCallbackCommand> command;
+
+  explicit Watcher(vtkAlgorithm* filter)
+  {
+    this->command->SetClientData(this);
+    this->command->SetCallback(
+      [](vtkObject* caller, unsigned long, void* self, void* fraction)
+      {
+        auto* watcher = static_cast<Watcher*>(self);
+        watcher->told.push_back(*static_cast<double*>(fraction));
+        watcher->isOwnThread &= std::this_thread::get_id() == watcher->thread;
+        if (watcher->told.back() > watcher->abortAt)
+        {
+          vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+        }
+      });
+    filter->AddObserver(vtkCommand::ProgressEvent, this->command);
+  }
+};
+}
+
+TEST(Progress, RisesToOneInTheCallersThread)
+{
+  Studio studio(640, 480);
+  studio.tracer->SetInputData(makeSphere(200));
+  Watcher watcher(studio.tracer);
+  studio.tracer->Update();
+  ASSERT_GT(watcher.told.size(), 2u);
+  for (std::size_t k = 1; k < watcher.told.size(); ++k)
+  {
+    EXPECT_GE(watcher.told[k], watcher.told[k - 1]);
+  }
+  EXPECT_GE(watcher.told.front(), 0.0);
+  EXPECT_EQ(watcher.told.back(), 1.0);
+  EXPECT_TRUE(watcher.isOwnThread);
+}
+
+TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
+{
+  Studio studio(200, 100);
+  studio.tracer->SetInputData(makeSphere(50));
+  const Picture expected = render(studio.tracer);
+  studio.tracer->Modified();
+  Watcher watcher(studio.tracer);
+  const Messages messages(studio.tracer);
+  for (double fraction : { -1.0, 0.0, 0.2 })
+  {
+    watcher.abortAt = fraction;
+    studio.tracer->Modified();
+    studio.tracer->Update();
+    EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0) << fraction;
+    EXPECT_TRUE(render(studio.tracer).empty()) << "aborted twice, at " << fraction;
+    watcher.abortAt = 2.0;
+    const Picture again = render(studio.tracer); // with nothing changed since
+    EXPECT_SAME_BITS(expected, again) << fraction;
+  }
+  EXPECT_TRUE(messages.errors().empty());
+  EXPECT_TRUE(messages.warnings().empty());
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Meshes.h"
+#include "Messages.h"
+
+#include "vtkLightCollection.h"
+
+#include <sstream>
+
+TEST(Settings, Defaults)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  EXPECT_EQ(tracer->GetImageSize()[0], 300);
+  EXPECT_EQ(tracer->GetImageSize()[1], 300);
+  EXPECT_EQ(tracer->GetCamera(), nullptr);
+  EXPECT_EQ(tracer->GetLights()->GetNumberOfItems(), 0);
+  EXPECT_EQ(tracer->GetProperty(), nullptr);
+  EXPECT_EQ(tracer->GetInputProperty(0), nullptr);
+  EXPECT_EQ(tracer->GetAmbientModel(), vtkLambentRayTracer::PER_LIGHT);
+  EXPECT_TRUE(tracer->GetTwoSidedLighting());
+  EXPECT_EQ(glm::make_vec3(tracer->GetBackground()), Vec(0.0));
+  EXPECT_FALSE(tracer->GetGradientBackground());
+  EXPECT_EQ(glm::make_vec3(tracer->GetBackground2()), Vec(0.0));
+  EXPECT_EQ(tracer->GetOutputScalarType(), VTK_UNSIGNED_CHAR);
+  EXPECT_TRUE(tracer->GetUsePointNormals());
+  EXPECT_GE(vtkLambentRayTracer::GetImageContractVersion(), 1);
+}
+
+TEST(Settings, AreClampedOrRefused)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  Messages messages(tracer);
+  tracer->SetAmbientModel(7);
+  EXPECT_EQ(tracer->GetAmbientModel(), vtkLambentRayTracer::SCENE);
+  EXPECT_TRUE(messages.errors().empty());
+
+  tracer->SetOutputScalarType(VTK_DOUBLE);
+  expectMessage(
+    messages.errors(), { "SetOutputScalarType", "11", "VTK_UNSIGNED_CHAR", "VTK_FLOAT" });
+  EXPECT_EQ(tracer->GetOutputScalarType(), VTK_UNSIGNED_CHAR);
+  messages.clear();
+
+  vtkNew<vtkProperty> property;
+  tracer->SetInputProperty(-1, property);
+  expectMessage(messages.errors(), { "SetInputProperty", "-1", "counted from 0" });
+  messages.clear();
+
+  tracer->AddLight(nullptr);
+  expectMessage(messages.errors(), { "AddLight" });
+  messages.clear();
+
+  tracer->RemoveLight(nullptr);
+  vtkNew<vtkLight> stranger;
+  tracer->RemoveLight(stranger);
+  EXPECT_EQ(tracer->GetLights()->GetNumberOfItems(), 0);
+  EXPECT_TRUE(messages.errors().empty());
+}
+
+TEST(Settings, ObjectsAreHeldWhileTheyAreSet)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkProperty> property;
+  vtkNew<vtkLight> light;
+  const std::vector<vtkObject*> objects{ camera, property, light };
+  tracer->SetCamera(camera);
+  tracer->SetProperty(property);
+  tracer->AddLight(light);
+  for (vtkObject* object : objects)
+  {
+    EXPECT_EQ(object->GetReferenceCount(), 2) << object->GetClassName();
+  }
+  tracer->SetCamera(nullptr);
+  tracer->SetProperty(nullptr);
+  tracer->RemoveLight(light);
+  for (vtkObject* object : objects)
+  {
+    EXPECT_EQ(object->GetReferenceCount(), 1) << object->GetClassName();
+  }
+}
+
+// PrintSelf() names every setting, with its value.
+TEST(Settings, PrintSelfIsWhole)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  tracer->SetImageSize(123, 456);
+  tracer->SetBackground(0.125, 0.25, 0.5);
+  tracer->SetBackground2(0.75, 0.625, 0.375);
+  std::ostringstream text;
+  tracer->Print(text);
+  for (const char* part : { "ImageSize: 123 x 456", "Camera: (none)", "Lights:", "Property: (none)",
+         "AmbientModel: PerLight", "TwoSidedLighting: On", "Background: (0.125, 0.25, 0.5)",
+         "GradientBackground: Off", "Background2: (0.75, 0.625, 0.375)",
+         "OutputScalarType: unsigned char", "UsePointNormals: On" })
+  {
+    EXPECT_NE(text.str().find(part), std::string::npos) << part << " in\n" << text.str();
+  }
+  Studio studio;
+  studio.tracer->SetInputProperty(3, studio.property);
+  studio.tracer->SetAmbientModelToScene();
+  studio.tracer->TwoSidedLightingOff();
+  studio.tracer->GradientBackgroundOn();
+  studio.tracer->UsePointNormalsOff();
+  studio.camera->SetViewAngle(12.5);
+  std::ostringstream other;
+  studio.tracer->Print(other);
+  for (const char* part :
+    { "InputProperty 3:", "AmbientModel: Scene", "TwoSidedLighting: Off", "GradientBackground: On",
+      "OutputScalarType: float", "UsePointNormals: Off", "ViewAngle: 12.5" })
+  {
+    EXPECT_NE(other.str().find(part), std::string::npos) << part << " in\n" << other.str();
+  }
+}
