@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the examples of the gallery share; Examples/Gallery/Gallery.h tells why and how."""
+
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkProperty
+
+STEP = 2.5  # from one object of a row to the next
+
+
+def on_grid(source):
+    """The output of a source, points and normals rounded to multiples of 2^-12, so that they do not
+    depend on the platform's sine."""
+    source.Update()
+    mesh = vtkPolyData()
+    mesh.DeepCopy(source.GetOutput())
+    for array in (mesh.GetPoints().GetData(), mesh.GetPointData().GetNormals()):
+        if array:
+            values = vtk_to_numpy(array)
+            values[:] = np.floor(values.astype(float) * 4096 + 0.5) / 4096
+    return mesh
+
+
+def sphere(x, y=0, resolution=48):
+    """A unit sphere about (x, y, 0) with normals of its own."""
+    source = vtkSphereSource()
+    source.SetRadius(1)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution // 2 + 1)
+    source.SetCenter(x, y, 0)
+    return on_grid(source)
+
+
+def surface(*colour):
+    prop = vtkProperty()
+    prop.SetColor(colour)  # of both reflections, diffuse and ambient
+    return prop
+
+
+def add_surface(tracer, mesh, prop):
+    """One more mesh in the scene, with a property of its own."""
+    connection = tracer.GetNumberOfInputConnections(0)
+    tracer.AddInputDataObject(0, mesh)
+    tracer.SetInputProperty(connection, prop)
+
+
+def add_light(tracer, position, colour=(1, 1, 1)):
+    """A light from infinitely far away, coming from this direction."""
+    light = vtkLight()
+    light.SetPosition(position)
+    light.SetFocalPoint(0, 0, 0)
+    light.SetColor(colour)
+    tracer.AddLight(light)
+
+
+def show_places(tracer, columns, pixels):
+    """Show a row of places, STEP apart, the first about the origin, at so many pixels a place."""
+    x = STEP * (columns - 1) / 2
+    camera = vtkCamera()
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(STEP / 2)
+    camera.SetFocalPoint(x, 0, 0)
+    camera.SetPosition(x, 0, 10)
+    tracer.SetCamera(camera)
+    tracer.SetImageSize(columns * pixels, pixels)
+    tracer.SetBackground(0.25, 0.25, 0.25)
+
+
+def look_from(tracer, position, width, height):
+    """Look at the origin from here, 30 degrees high."""
+    camera = vtkCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewAngle(30)
+    tracer.SetCamera(camera)
+    tracer.SetImageSize(width, height)
+    tracer.SetBackground(0.25, 0.25, 0.25)
+
+
+def save(picture, name):
+    """Write what an algorithm produces to the PNG file that the first argument names, or else to
+    this one."""
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else name)
+    writer.Write()
+    if writer.GetErrorCode():
+        sys.exit("could not write " + writer.GetFileName())
