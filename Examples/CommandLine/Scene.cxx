@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Scene.h"
+#include "Messages.h"
 
 #include "vtkLambentRayTracer.h"
 
@@ -119,6 +120,11 @@ void PlaceCamera(const Options& options, vtkLambentRayTracer* tracer)
   vtkCamera* const camera = tracer->GetCamera();
   tracer->ResetCamera(); // for the centre, and the parallel scale
   const Triple focus = options.focalPoint.value_or(FocalPoint(camera));
+  if (focus == *options.cameraPosition) // vtkCamera would quietly move one of them
+  {
+    throw Failure("cannot render: the camera is where it looks; move --camera-position or "
+                  "--focal-point");
+  }
   camera->SetFocalPoint(focus.data());
   camera->SetPosition(options.cameraPosition->data());
   camera->SetViewUp(options.viewUp.value_or(UpFor(focus - *options.cameraPosition)).data());

@@ -117,6 +117,14 @@ class TestReading(CommandTest):
                     continue  # an OBJ file does not tell how much there should be
                 self.fail_to_read("cut" + extension)
 
+    def test_cut_short_behind_the_cells(self):
+        # VTK's reader says this as a warning and goes on.
+        normals = "POINT_DATA 4\nNORMALS n float\n" + "0 0 1\n" * 4
+        self.write("cut.vtk", make.vtk_text(TETRAHEDRON) + normals[:-9])
+        self.fail_to_read("cut.vtk")
+        self.write("cut.vtk", make.vtk_text(TETRAHEDRON) + normals)
+        self.picture("cut.vtk")
+
     def test_an_obj_that_ends_within_a_line_brings_a_warning(self):
         self.write("cut.obj", make.obj(TETRAHEDRON)[:-1])
         done = self.run_command("cut.obj", "-o", "x.png", "--size", "8x8")

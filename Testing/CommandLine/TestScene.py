@@ -93,6 +93,11 @@ class TestCamera(CommandTest):
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--view-up", "0,0,1")
         self.assertIn("cannot render: ", line)
 
+    def test_an_eye_at_the_focal_point(self):
+        line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--camera-position", "1,2,3",
+                              "--focal-point", "1,2,3")
+        self.assertIn("--focal-point", line)
+
     def test_focal_point_alone_moves_the_eye_along(self):
         # At 9 pixels and 30 degrees a move by one width of the square shows at its left edge.
         columns, rows = self.covered("--focal-point", "1,0,0")
@@ -120,6 +125,15 @@ class TestLight(CommandTest):
         self.assertEqual(self.lit("--light", "direction=0,0,1"), BLACK)  # from behind
         value = byte(0.6)
         self.assertEqual(self.lit("--light", "direction=4,0,-3"), (value, value, value))
+
+    def test_direction_across_a_ridge(self):
+        # Its left side has the normal (-1, 0, 1), its right side (1, 0, 1). Light that travels to
+        # the right falls straight on the left side and along the right one.
+        points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
+        self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
+        row = self.pixels("ridge.obj", "--parallel-scale", "0.9", "--shading", "flat",
+                          "--light", "direction=1,0,-1")[4]
+        self.assertEqual(row[:4] + row[5:], [WHITE] * 4 + [BLACK] * 4)
 
     def test_position(self):
         value = byte(2 / 3)  # (1,2,2) has length 3
