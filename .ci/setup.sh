@@ -45,7 +45,8 @@ need() {
 
 need_build() {
   need "building" g++ cmake ninja-build
-  need "the module and the command (VTK, GLM, CLI11)" libvtk9-dev libglm-dev libcli11-dev
+  need "the module (VTK, GLM, Highway)" libvtk9-dev libglm-dev libhwy-dev
+  need "the command (CLI11)" libcli11-dev
   need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
 }
 
