@@ -4,7 +4,8 @@
 // This file is compiled once for each instruction set, by including itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "LatticeKernel.cxx"
-#include "VectorTargets.h"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 #include "VectorFrame.h"
 

@@ -25,6 +25,7 @@
 #include "Binning.h"
 #include "Parallel.h"
 #include "Scene.h"
+#include "VectorTarget.h"
 #include "Window.h"
 
 #include <functional>
@@ -48,7 +49,8 @@ struct Settings
   std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
   std::size_t binPages = 512 * 1024; ///< of 256 bytes, before the cells are processed
   bool culling = true;               ///< drop triangles between the rays
-  bool kernels = true;               ///< cast and shade with vectors
+  /// Locate, cast and shade with vectors.
+  bool kernels = vectorTargetInUse() != "plain";
 
   /// Every triangle against every ray, one at a time: the definition of the picture.
   static Settings bruteForce(const Window& part)

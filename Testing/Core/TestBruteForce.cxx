@@ -155,6 +155,29 @@ TEST(BruteForce, EqualsAnyNumberOfThreads)
   }
 }
 
+TEST(BruteForce, EqualsAnyInstructionSet)
+{
+  const std::string usual = vectorTargetInUse();
+  const std::vector<std::string> targets = vectorTargets();
+  EXPECT_GE(targets.size(), 2u);
+  EXPECT_EQ(targets.front(), "plain");
+  for (const std::string& target : targets)
+  {
+    ASSERT_TRUE(useVectorTarget(target));
+    ASSERT_EQ(vectorTargetInUse(), target);
+    for (unsigned int seed = 0; seed < sceneCount; ++seed)
+    {
+      const RandomScene random = makeRandomScene(seed);
+      const Picture reference =
+        makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+      EXPECT_EQ(differences(reference, makePicture(random, whole(random), Settings())), 0u)
+        << describe(seed, random) << ", " << target;
+    }
+  }
+  EXPECT_FALSE(useVectorTarget("none of these"));
+  EXPECT_TRUE(useVectorTarget(usual));
+}
+
 // So few bins that the cells are processed after every batch of triangles. Batches
 // are of a million triangles, so the mesh is made large by repeating it.
 TEST(BruteForce, EqualsSeveralRounds)
