@@ -279,6 +279,9 @@ int vtkLambentRayTracer::RequestInformation(
     vtkImageData::GetData(outInfo)->Initialize();
     return 0;
   }
+  // The executive keeps the extent of a request that failed, and would add it to the
+  // next one, even if the image has become smaller since.
+  outInfo->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
   const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
   const double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
   outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
