@@ -128,9 +128,16 @@ std::string SurfaceFromVTK::describeWrongCell(std::int64_t cell) const
     const vtkIdType id = ids->GetId(k);
     if (id < 0 || id >= points)
     {
-      text << "cell " << cell << " names point " << id << ", but there are " << points
-           << " points, 0 to " << points - 1
-           << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
+      text << "cell " << cell << " names point " << id << ", but there are ";
+      if (points > 0)
+      {
+        text << points << " points, 0 to " << points - 1;
+      }
+      else
+      {
+        text << "no points";
+      }
+      text << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
       break;
     }
   }
