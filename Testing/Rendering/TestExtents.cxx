@@ -89,3 +89,20 @@ TEST(Extents, StreamedInDivisions)
     EXPECT_LT(parts.tracer->GetOutput()->GetNumberOfPoints(), 101 * 67);
   }
 }
+
+TEST(Extents, FollowTheImageSize)
+{
+  Studio studio(40, 30);
+  setUp(studio);
+  const int sizes[][2] = { { 40, 30 }, { 20, 50 }, { 60, 10 }, { 1, 1 }, { 40, 30 } };
+  for (const auto& size : sizes)
+  {
+    studio.tracer->SetImageSize(size[0], size[1]);
+    const Picture picture = render(studio.tracer);
+    EXPECT_EQ(picture.width(), size[0]);
+    EXPECT_EQ(picture.height(), size[1]);
+    Studio fresh(size[0], size[1]);
+    setUp(fresh);
+    EXPECT_SAME_BITS(render(fresh.tracer), picture);
+  }
+}
