@@ -43,8 +43,9 @@ VectorHit edges(const Sheared& x, const Sheared& y, V az, V bz, V cz)
   const V e0 = hn::Sub(hn::Mul(x.b, y.c), hn::Mul(y.b, x.c));
   const V e1 = hn::Sub(hn::Mul(x.c, y.a), hn::Mul(y.c, x.a));
   const V e2 = hn::Sub(hn::Mul(x.a, y.b), hn::Mul(y.a, x.b));
-  const M front = hn::And(hn::And(hn::Ge(e0, zero), hn::Ge(e1, zero)), hn::Ge(e2, zero));
-  const M back = hn::And(hn::And(hn::Le(e0, zero), hn::Le(e1, zero)), hn::Le(e2, zero));
+  // What is not a number may pass here; the depth is not a number either then.
+  const M front = hn::Ge(hn::Min(hn::Min(e0, e1), e2), zero);
+  const M back = hn::Le(hn::Max(hn::Max(e0, e1), e2), zero);
   VectorHit hit;
   hit.mask = hn::Or(front, back);
   hit.sum = hn::Add(hn::Add(e0, e1), e2);
@@ -116,15 +117,19 @@ void CastSmall(
     const std::size_t used = std::min<std::size_t>(lanes, batch.count - k);
     const Corners t = corners(vectorFrame, batch, k);
     const V i = hn::Load(d, batch.i + k), j = hn::Load(d, batch.j + k);
+    Sheared x[CastBatches::side];
+    for (int dx = 0; dx < width; ++dx)
+    {
+      x[dx] = shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w,
+        onPlane(i, dx, frame.centerX, frame.pixel));
+    }
     for (int dy = 0; dy < height; ++dy)
     {
       const Sheared y = shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w,
         onPlane(j, dy, frame.centerY, frame.pixel));
       for (int dx = 0; dx < width; ++dx)
       {
-        const Sheared x = shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w,
-          onPlane(i, dx, frame.centerX, frame.pixel));
-        const VectorHit hit = edges(x, y, t.a.z, t.b.z, t.c.z);
+        const VectorHit hit = edges(x[dx], y, t.a.z, t.b.z, t.c.z);
         if (!hn::AllFalse(d, hit.mask))
         {
           offer(hit, batch, k, static_cast<std::size_t>(dy) * rays.stride() + dx, used, rays);

@@ -52,24 +52,23 @@ Vec3 Shader::color(std::uint32_t number, double x, double y) const
   };
   Hit hit{};
   intersect(corner(0), corner(1), corner(2), x, y, hit);
-  Vec3 m = this->normal(surface, triangle, hit);
-  if (this->TwoSided && hit.sum < 0.0)
-  {
-    m = -m;
-  }
-  return this->lit(surface.material, this->Frame.fromEye(x, y, hit.depth), m);
+  return this->lit(surface.material, this->Frame.fromEye(x, y, hit.depth),
+    this->normal(surface, triangle, hit));
 }
 
 Vec3 Shader::normal(const Surface& surface, std::size_t triangle, const Hit& hit) const
 {
+  const bool isBack = hit.sum < 0.0;
   if (surface.isSmooth())
   {
     const Vec3 a = surface.pointNormals[surface.corners[3 * triangle]];
     const Vec3 b = surface.pointNormals[surface.corners[3 * triangle + 1]];
     const Vec3 c = surface.pointNormals[surface.corners[3 * triangle + 2]];
-    return (a * (hit.e0 / hit.sum) + b * (hit.e1 / hit.sum)) + c * (hit.e2 / hit.sum);
+    const Vec3 m = (a * hit.e0 + b * hit.e1) + c * hit.e2; // turned already on the back
+    return isBack && !this->TwoSided ? -m : m;
   }
-  return faceNormal(surface, triangle);
+  const Vec3 m = faceNormal(surface, triangle);
+  return isBack && this->TwoSided ? -m : m;
 }
 
 Vec3 Shader::faceNormal(const Surface& surface, std::size_t triangle)
@@ -86,19 +85,19 @@ Vec3 Shader::faceNormal(const Surface& surface, std::size_t triangle)
 
 Vec3 Shader::lit(const Material& material, const Vec3& point, const Vec3& normal) const
 {
-  const double normalLength = length(normal);
+  const double normalSquare = dot(normal, normal);
   Vec3 sum = this->Ambient == AmbientModel::Scene ? material.ambient : Vec3(0.0);
   for (const LightSource& source : this->Sources)
   {
     const Vec3 s = source.positional ? source.toLight - point : source.toLight;
-    const double distance = length(s);
+    const double square = dot(s, s);
     const Vec3 light =
-      source.isConstant ? source.color : source.color * arriving(source, s, distance);
+      source.isConstant ? source.color : source.color * arriving(source, s, std::sqrt(square));
     const double facing = dot(s, normal);
     Vec3 reflected(0.0);
     if (facing > 0.0)
     {
-      reflected = (material.diffuse * light) * (facing / (distance * normalLength));
+      reflected = (material.diffuse * light) * (facing / std::sqrt(square * normalSquare));
     }
     if (this->Ambient == AmbientModel::PerLight)
     {

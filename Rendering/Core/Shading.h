@@ -15,6 +15,11 @@
  * light exactly at the hit gives its full ambient term. With AmbientModel::Scene
  * the ambient term is rho_a, once, instead.
  *
+ * The cosine (s.m) / (|s||m|) is computed as (s.m) / sqrt((s.s) (m.m)), so that m may
+ * have any length: normals are interpolated with the edge functions themselves,
+ * which are the barycentric coordinates but for a factor. That factor is negative
+ * on the back of a face, where two-sided lighting turns the normal anyway.
+ *
  * Shader::color() is the definition; ShadingKernel.h does the same for many hits.
  */
 #ifndef lambent_Shading_h

@@ -116,20 +116,20 @@ Vector3 lit(
   const Shader& shader, const Material& material, const Vector3& point, const Vector3& normal)
 {
   const V zero = hn::Zero(d);
-  const V normalLength = hn::Sqrt(dot(normal, normal));
+  const V normalSquare = dot(normal, normal);
   const bool perLight = shader.ambientModel() == AmbientModel::PerLight;
   Vector3 sum = set(perLight ? Vec3(0.0) : material.ambient);
   for (const LightSource& source : shader.sources())
   {
     const Vector3 s = source.positional ? set(source.toLight) - point : set(source.toLight);
-    const V distance = hn::Sqrt(dot(s, s));
+    const V square = dot(s, s);
     const V facing = dot(s, normal);
     const M isLit = hn::Gt(facing, zero);
-    const V cosine = hn::Div(facing, hn::Mul(distance, normalLength));
+    const V cosine = hn::Div(facing, hn::Sqrt(hn::Mul(square, normalSquare)));
     Vector3 light = set(source.color);
     if (!source.isConstant)
     {
-      light = light * arriving(source, s, distance);
+      light = light * arriving(source, s, hn::Sqrt(square));
     }
     const Vector3 diffuse = (set(material.diffuse) * light) * cosine;
     Vector3 reflected{ hn::IfThenElseZero(isLit, diffuse.x), hn::IfThenElseZero(isLit, diffuse.y),
@@ -194,13 +194,13 @@ Vector3 color(
   const V depth =
     hn::Div(hn::Add(hn::Add(hn::Mul(e0, a.z), hn::Mul(e1, b.z)), hn::Mul(e2, c.z)), sum);
 
+  // Shader::normal().
   Vector3 normal = runs(batch.normals);
   if (smooth)
   {
-    normal = (normal * hn::Div(e0, sum) + runs(batch.normals + 3) * hn::Div(e1, sum)) +
-      runs(batch.normals + 6) * hn::Div(e2, sum);
+    normal = (normal * e0 + runs(batch.normals + 3) * e1) + runs(batch.normals + 6) * e2;
   }
-  if (shader.isTwoSided())
+  if (shader.isTwoSided() != smooth)
   {
     const M back = hn::Lt(sum, hn::Zero(d));
     normal = { hn::IfThenElse(back, hn::Neg(normal.x), normal.x),
