@@ -85,6 +85,35 @@ bool WriteSideBySide(
   return writer->GetErrorCode() == vtkErrorCode::NoError;
 }
 
+/// What keeps the picture from being that of the file `baseline`; empty if nothing does.
+std::string FindDifference(
+  vtkImageData* picture, const std::string& baseline, const std::string& folder)
+{
+  const auto expected = Read(baseline);
+  if (!expected)
+  {
+    return "There is no PNG baseline '" + baseline + "'.";
+  }
+  if (Describe(picture) != Describe(expected))
+  {
+    return "The picture is " + Describe(picture) + ", but the baseline '" + baseline + "' is " +
+      Describe(expected) + ".";
+  }
+  vtkNew<vtkImageData> difference;
+  const vtkIdType count = Subtract(picture, expected, difference);
+  if (count == 0)
+  {
+    return "";
+  }
+  const std::string strip =
+    (fs::path(folder) / (fs::path(baseline).stem().string() + ".difference.png")).string();
+  const bool isWritten = WriteSideBySide(picture, expected, difference, strip);
+  return std::to_string(count) + " of " + std::to_string(picture->GetNumberOfPoints()) + " x " +
+    std::to_string(picture->GetNumberOfScalarComponents()) + " values differ from the baseline '" +
+    baseline + "'. Picture, baseline and difference " +
+    (isWritten ? "are side by side in '" : "could not be written to '") + strip + "'.";
+}
+
 } // namespace
 
 std::string ComparePictures(
@@ -95,36 +124,13 @@ std::string ComparePictures(
   {
     return "There is no PNG picture '" + picture + "'.";
   }
-  if (UpdateBaselines())
+  const std::string problem = FindDifference(seen, baseline, folder);
+  if (!problem.empty() && UpdateBaselines())
   {
     fs::copy_file(picture, baseline, fs::copy_options::overwrite_existing);
     return "";
   }
-  const std::string howToAccept = "Look at '" + picture +
-    "'; if it is right, accept it by running the test with LAMBENT_UPDATE_BASELINES=1.";
-  const auto expected = Read(baseline);
-  if (!expected)
-  {
-    return "There is no PNG baseline '" + baseline + "'. " + howToAccept;
-  }
-  if (Describe(seen) != Describe(expected))
-  {
-    return "The picture is " + Describe(seen) + ", but the baseline '" + baseline + "' is " +
-      Describe(expected) + ". " + howToAccept;
-  }
-
-  vtkNew<vtkImageData> difference;
-  const vtkIdType count = Subtract(seen, expected, difference);
-  if (count == 0)
-  {
-    return "";
-  }
-  const std::string strip =
-    (fs::path(folder) / (fs::path(baseline).stem().string() + ".difference.png")).string();
-  const bool isWritten = WriteSideBySide(seen, expected, difference, strip);
-  return std::to_string(count) + " of " + std::to_string(seen->GetNumberOfPoints()) + " x " +
-    std::to_string(seen->GetNumberOfScalarComponents()) + " values differ from the baseline '" +
-    baseline + "'. Picture, baseline and difference " +
-    (isWritten ? "are side by side in '" : "could not be written to '") + strip + "'. " +
-    howToAccept;
+  return problem.empty() ? ""
+                         : problem + " Look at '" + picture +
+      "'; if it is right, accept it by running the test with LAMBENT_UPDATE_BASELINES=1.";
 }
