@@ -77,7 +77,7 @@ class VTKLAMBENT_EXPORT vtkLambentNormals : public vtkPolyDataAlgorithm
 {
 public:
   static vtkLambentNormals* New();
-  vtkTypeMacro(vtkLambentNormals, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkLambentNormals, vtkPolyDataAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum WeightingType

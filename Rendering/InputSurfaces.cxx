@@ -55,16 +55,18 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   std::size_t triangles = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
-    forInput(k, [&]() {
-      this->Surfaces.push_back(
-        std::make_unique<SurfaceFromVTK>(inputs[k], materials[k], parallel));
-      triangles += this->Surfaces[k]->surface().triangleCount();
-      if (triangles >= lambent::noTriangle)
+    forInput(k,
+      [&]()
       {
-        throw std::runtime_error(
-          "with it the scene has more than 4294967294 triangles, the most that it can have.");
-      }
-    });
+        this->Surfaces.push_back(
+          std::make_unique<SurfaceFromVTK>(inputs[k], materials[k], parallel));
+        triangles += this->Surfaces[k]->surface().triangleCount();
+        if (triangles >= lambent::noTriangle)
+        {
+          throw std::runtime_error(
+            "with it the scene has more than 4294967294 triangles, the most that it can have.");
+        }
+      });
   }
 }
 

@@ -21,12 +21,14 @@ public:
 
   void run(const std::function<void(int worker)>& body) const override
   {
-    vtkSMPTools::For(0, this->Count, 1, [&](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType worker = begin; worker < end; ++worker)
+    vtkSMPTools::For(0, this->Count, 1,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        body(static_cast<int>(worker));
-      }
-    });
+        for (vtkIdType worker = begin; worker < end; ++worker)
+        {
+          body(static_cast<int>(worker));
+        }
+      });
   }
 
 private:

@@ -32,7 +32,8 @@ Vec3 transformed(vtkMatrix4x4* matrix, const Vec3& p)
   {
     return p;
   }
-  const auto row = [&](int i) {
+  const auto row = [&](int i)
+  {
     return ((matrix->GetElement(i, 0) * p.x + matrix->GetElement(i, 1) * p.y) +
              matrix->GetElement(i, 2) * p.z) +
       matrix->GetElement(i, 3);
@@ -79,7 +80,8 @@ void applyFraming(const lambent::Camera& framed, vtkCamera* camera)
 std::string unsupportedSettings(vtkCamera* camera)
 {
   std::string names;
-  const auto add = [&names](bool isUsed, const char* name) {
+  const auto add = [&names](bool isUsed, const char* name)
+  {
     if (isUsed)
     {
       names += names.empty() ? name : std::string(", ") + name;
@@ -174,7 +176,7 @@ lambent::Material materialFromVTK(vtkProperty* property)
   result.diffuse = toVec3(property->GetDiffuseColor()) * property->GetDiffuse();
   result.ambient = toVec3(property->GetAmbientColor()) * property->GetAmbient();
   result.color = toVec3(property->GetDiffuseColor());
-  result.shading = !property->GetLighting()          ? lambent::Shading::Unlit
+  result.shading = !property->GetLighting()    ? lambent::Shading::Unlit
     : property->GetInterpolation() == VTK_FLAT ? lambent::Shading::Flat
                                                : lambent::Shading::Smooth;
   result.cullFront = property->GetFrontfaceCulling() != 0;

@@ -239,7 +239,8 @@ int vtkLambentRayTracer::GetImageContractVersion()
 vtkMTimeType vtkLambentRayTracer::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  const auto cover = [&time](vtkObject* object) {
+  const auto cover = [&time](vtkObject* object)
+  {
     if (object)
     {
       time = std::max(time, object->GetMTime());
@@ -355,7 +356,8 @@ bool vtkLambentRayTracer::MakePicture(
   const FilterScene description(this, meshes, parallel);
   const lambent::Report report = lambent::render(description.scene(),
     allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output), parallel,
-    [this](double fraction) {
+    [this](double fraction)
+    {
       this->UpdateProgress(fraction);
       return !isAborted(this);
     });
@@ -374,13 +376,12 @@ bool vtkLambentRayTracer::MakePicture(
 void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto printColor = [&](const char* name, const double color[3]) {
-    os << indent << name << ": (" << color[0] << ", " << color[1] << ", " << color[2] << ")\n";
-  };
-  const auto printSwitch = [&](const char* name, vtkTypeBool value) {
-    os << indent << name << ": " << (value ? "On" : "Off") << "\n";
-  };
-  const auto printObject = [&](const std::string& name, vtkObject* object) {
+  const auto printColor = [&](const char* name, const double color[3])
+  { os << indent << name << ": (" << color[0] << ", " << color[1] << ", " << color[2] << ")\n"; };
+  const auto printSwitch = [&](const char* name, vtkTypeBool value)
+  { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
+  const auto printObject = [&](const std::string& name, vtkObject* object)
+  {
     os << indent << name << ":";
     if (object)
     {

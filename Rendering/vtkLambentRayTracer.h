@@ -90,7 +90,7 @@ class VTKLAMBENT_EXPORT vtkLambentRayTracer : public vtkImageAlgorithm
 {
 public:
   static vtkLambentRayTracer* New();
-  vtkTypeMacro(vtkLambentRayTracer, vtkImageAlgorithm);
+  vtkTypeMacro(vtkLambentRayTracer, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

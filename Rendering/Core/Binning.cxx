@@ -29,8 +29,9 @@ bool copyCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
 
 void Binning::run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& defects) const
 {
-  this->Triangles.forTriangles(
-    begin, end, [&](const Mesh::Part& part, std::size_t partBegin, std::size_t partEnd) {
+  this->Triangles.forTriangles(begin, end,
+    [&](const Mesh::Part& part, std::size_t partBegin, std::size_t partEnd)
+    {
       constexpr std::size_t block = LatticeBoxes::capacity;
       for (std::size_t t = partBegin; t < partEnd; t += block)
       {

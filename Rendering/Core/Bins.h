@@ -67,8 +67,8 @@ public:
     if (isExact && cell == finest.cellAt(rays.i1 - 1, rays.j1 - 1) && finest.shift <= 8)
     {
       const auto step = [mask](int ray) { return static_cast<std::uint8_t>(ray & mask); };
-      this->append(cell,
-        { triangle, step(rays.i0), step(rays.i1 - 1), step(rays.j0), step(rays.j1 - 1) });
+      this->append(
+        cell, { triangle, step(rays.i0), step(rays.i1 - 1), step(rays.j0), step(rays.j1 - 1) });
       return;
     }
     const CellGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
@@ -78,9 +78,8 @@ public:
       for (int i = rays.i0 >> level.shift << level.shift; i < rays.i1; i += size)
       {
         const Window part = intersection(rays, { i, i + size, j, j + size });
-        const auto step = [&level](int ray) {
-          return static_cast<std::uint8_t>(ray >> level.unitShift);
-        };
+        const auto step = [&level](int ray)
+        { return static_cast<std::uint8_t>(ray >> level.unitShift); };
         this->append(level.cellAt(i, j),
           { triangle, step(part.i0 - i), step(part.i1 - 1 - i), step(part.j0 - j),
             step(part.j1 - 1 - j) });

@@ -11,22 +11,24 @@ Bounds findBounds(const Surface& surface, const Parallel& parallel)
   constexpr std::size_t chunk = 16 * 1024;
   const std::size_t count = surface.corners.size;
   std::vector<Bounds> found(parallel.workers());
-  forEach(parallel, 0, (count + chunk - 1) / chunk, [&](int worker, std::size_t i) {
-    Bounds bounds;
-    for (std::size_t corner = i * chunk; corner < std::min(count, (i + 1) * chunk); ++corner)
+  forEach(parallel, 0, (count + chunk - 1) / chunk,
+    [&](int worker, std::size_t i)
     {
-      const std::uint64_t id = surface.corners[corner];
-      if (id < surface.points.size)
+      Bounds bounds;
+      for (std::size_t corner = i * chunk; corner < std::min(count, (i + 1) * chunk); ++corner)
       {
-        const Vec3 p = surface.points[id];
-        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+        const std::uint64_t id = surface.corners[corner];
+        if (id < surface.points.size)
         {
-          bounds.add(p);
+          const Vec3 p = surface.points[id];
+          if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+          {
+            bounds.add(p);
+          }
         }
       }
-    }
-    found[worker].add(bounds);
-  });
+      found[worker].add(bounds);
+    });
   Bounds all;
   for (const Bounds& bounds : found)
   {

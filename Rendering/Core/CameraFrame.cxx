@@ -63,8 +63,8 @@ CameraFrame::CameraFrame(const Camera& camera, int width, int height)
   }
   else
   {
-    this->pixel = 2.0 * tanDegrees(0.5 * camera.viewAngle) /
-      (camera.horizontalViewAngle ? width : height);
+    this->pixel =
+      2.0 * tanDegrees(0.5 * camera.viewAngle) / (camera.horizontalViewAngle ? width : height);
   }
 }
 

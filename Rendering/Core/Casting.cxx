@@ -59,9 +59,10 @@ Window Casting::boxIn(
   const Window& cell = rays.window();
   const Window bin = this->Grid.window(level, cell.i0, cell.j0);
   const int unit = level.unitShift;
-  const Window box = intersection({ bin.i0 + (entry.i0 << unit), bin.i0 + ((entry.i1 + 1) << unit),
-                                    bin.j0 + (entry.j0 << unit), bin.j0 + ((entry.j1 + 1) << unit) },
-    cell);
+  const Window box =
+    intersection({ bin.i0 + (entry.i0 << unit), bin.i0 + ((entry.i1 + 1) << unit),
+                   bin.j0 + (entry.j0 << unit), bin.j0 + ((entry.j1 + 1) << unit) },
+      cell);
   return { box.i0 - cell.i0, box.i1 - cell.i0, box.j0 - cell.j0, box.j1 - cell.j0 };
 }
 
@@ -70,9 +71,8 @@ Casting::Triangle Casting::triangle(std::uint32_t number) const
   const Mesh::Part& part = this->Triangles.partOf(number);
   const Surface& surface = *part.surface;
   const std::size_t first = 3 * (number - part.firstTriangle);
-  const auto corner = [&](std::size_t k) {
-    return this->Frame.toFrame(surface.points[surface.corners[first + k]]);
-  };
+  const auto corner = [&](std::size_t k)
+  { return this->Frame.toFrame(surface.points[surface.corners[first + k]]); };
   return { corner(0), corner(1), corner(2), surface.material.cullFront, surface.material.cullBack };
 }
 
@@ -99,8 +99,7 @@ bool Casting::misses(const Triangle& t, const CellRays& rays, const Window& box)
   return false;
 }
 
-void Casting::castPlainly(
-  const BinPage& page, const CellGrid::Level& level, CellRays& rays) const
+void Casting::castPlainly(const BinPage& page, const CellGrid::Level& level, CellRays& rays) const
 {
   for (int k = 0; k < page.count; ++k)
   {
@@ -113,8 +112,7 @@ void Casting::castPlainly(
   }
 }
 
-void Casting::test(
-  const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
+void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
 {
   for (int j = box.j0; j < box.j1; ++j)
   {
@@ -130,8 +128,8 @@ void Casting::test(
   }
 }
 
-void Casting::cast(const BinPage& page, const CellGrid::Level& level, CellRays& rays,
-  CastBatches& batches) const
+void Casting::cast(
+  const BinPage& page, const CellGrid::Level& level, CellRays& rays, CastBatches& batches) const
 {
   Candidate candidates[BinPage::capacity];
   this->fetch(page, candidates);
@@ -154,8 +152,7 @@ void Casting::cast(const BinPage& page, const CellGrid::Level& level, CellRays& 
     if (box.width() <= CastBatches::side && box.height() <= CastBatches::side &&
       !material.cullFront && !material.cullBack)
     {
-      this->addSmall(
-        candidate, box, rays, batches.small[box.height() - 1][box.width() - 1]);
+      this->addSmall(candidate, box, rays, batches.small[box.height() - 1][box.width() - 1]);
     }
     else
     {

@@ -26,8 +26,7 @@ namespace lambent
 class Casting
 {
 public:
-  Casting(
-    const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid, const Window& image)
+  Casting(const Mesh& mesh, const CameraFrame& frame, const CellGrid& grid, const Window& image)
     : Triangles(mesh)
     , Frame(frame)
     , Grid(grid)
@@ -39,8 +38,8 @@ public:
   void castPlainly(const BinPage& page, const CellGrid::Level& level, CellRays& rays) const;
 
   /// The same with kernels; some of it is left in the batches until flush().
-  void cast(const BinPage& page, const CellGrid::Level& level, CellRays& rays,
-    CastBatches& batches) const;
+  void cast(
+    const BinPage& page, const CellGrid::Level& level, CellRays& rays, CastBatches& batches) const;
   void flush(CellRays& rays, CastBatches& batches) const;
 
 private:
@@ -61,9 +60,10 @@ private:
   void fetch(const BinPage& page, Candidate* candidates) const;
   bool misses(const Triangle& triangle, const CellRays& rays, const Window& box) const;
   Window boxIn(const CellRays& rays, const CellGrid::Level& level, const BinEntry& entry) const;
-  void test(const Triangle& triangle, std::uint32_t number, const Window& box, CellRays& rays) const;
-  void addSmall(const Candidate& candidate, const Window& box, CellRays& rays,
-    SmallBatch& batch) const;
+  void test(
+    const Triangle& triangle, std::uint32_t number, const Window& box, CellRays& rays) const;
+  void addSmall(
+    const Candidate& candidate, const Window& box, CellRays& rays, SmallBatch& batch) const;
   void addLarge(const Candidate& candidate, const Window& box, bool isBoxExact, CellRays& rays,
     LargeBatch& batch) const;
 

@@ -26,8 +26,7 @@ struct Sheared
 
 Sheared shear(V a, V b, V c, V aw, V bw, V cw, V at)
 {
-  return { hn::Sub(a, hn::Mul(at, aw)), hn::Sub(b, hn::Mul(at, bw)),
-    hn::Sub(c, hn::Mul(at, cw)) };
+  return { hn::Sub(a, hn::Mul(at, aw)), hn::Sub(b, hn::Mul(at, bw)), hn::Sub(c, hn::Mul(at, cw)) };
 }
 
 struct VectorHit
@@ -79,7 +78,8 @@ struct Corners
 template <typename Batch>
 Corners corners(const VectorFrame& frame, const Batch& batch, std::size_t k)
 {
-  const auto corner = [&](int first) {
+  const auto corner = [&](int first)
+  {
     return frame.toFrame(hn::Load(d, batch.points[first] + k),
       hn::Load(d, batch.points[first + 1] + k), hn::Load(d, batch.points[first + 2] + k));
   };
@@ -90,8 +90,7 @@ Corners corners(const VectorFrame& frame, const Batch& batch, std::size_t k)
 V onPlane(V pixels, int steps, double center, double size)
 {
   const V moved = hn::Add(pixels, hn::Set(d, steps));
-  return hn::Mul(
-    hn::Sub(hn::Add(moved, hn::Set(d, 0.5)), hn::Set(d, center)), hn::Set(d, size));
+  return hn::Mul(hn::Sub(hn::Add(moved, hn::Set(d, 0.5)), hn::Set(d, center)), hn::Set(d, size));
 }
 
 void offer(const VectorHit& hit, const SmallBatch& batch, std::size_t k, std::size_t ray,
@@ -120,13 +119,13 @@ void CastSmall(
     Sheared x[CastBatches::side];
     for (int dx = 0; dx < width; ++dx)
     {
-      x[dx] = shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w,
-        onPlane(i, dx, frame.centerX, frame.pixel));
+      x[dx] =
+        shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w, onPlane(i, dx, frame.centerX, frame.pixel));
     }
     for (int dy = 0; dy < height; ++dy)
     {
-      const Sheared y = shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w,
-        onPlane(j, dy, frame.centerY, frame.pixel));
+      const Sheared y =
+        shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w, onPlane(j, dy, frame.centerY, frame.pixel));
       for (int dx = 0; dx < width; ++dx)
       {
         const VectorHit hit = edges(x[dx], y, t.a.z, t.b.z, t.c.z);
@@ -190,11 +189,11 @@ void castColumns(const Large& t, int column, const double* rows[3], CellRays& ra
     const V nearest = hn::LoadU(d, rays.depths() + index);
     const Vi owner = hn::LoadU(di, rays.triangles() + index);
     const M smaller = hn::RebindMask(d, hn::Lt(number, owner));
-    mask = hn::And(mask,
-      hn::Or(hn::Lt(hit.depth, nearest), hn::And(hn::Eq(hit.depth, nearest), smaller)));
+    mask = hn::And(
+      mask, hn::Or(hn::Lt(hit.depth, nearest), hn::And(hn::Eq(hit.depth, nearest), smaller)));
     hn::StoreU(hn::IfThenElse(mask, hit.depth, nearest), d, rays.depths() + index);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(di, mask), number, owner), di,
-      rays.triangles() + index);
+    hn::StoreU(
+      hn::IfThenElse(hn::RebindMask(di, mask), number, owner), di, rays.triangles() + index);
   }
 }
 
@@ -240,7 +239,8 @@ void CastLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays
     }
     for (std::size_t lane = 0; lane < std::min<std::size_t>(lanes, batch.count - k); ++lane)
     {
-      const auto point = [&](int first) {
+      const auto point = [&](int first)
+      {
         return FramePoint{ coordinates[first][lane], coordinates[first + 1][lane],
           coordinates[first + 2][lane], coordinates[first + 3][lane] };
       };

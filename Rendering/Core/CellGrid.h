@@ -44,8 +44,8 @@ public:
     : Whole{ 0, width, 0, height }
   {
     constexpr int coarser = 3;
-    for (int first = 0; this->Levels.size() < 2 || this->Levels.back().columns > 2 ||
-         this->Levels.back().rows > 2;
+    for (int first = 0;
+         this->Levels.size() < 2 || this->Levels.back().columns > 2 || this->Levels.back().rows > 2;
          shift += coarser)
     {
       const int columns = ((width - 1) >> shift) + 1, rows = ((height - 1) >> shift) + 1;
@@ -68,8 +68,7 @@ public:
   Window window(const Level& level, int i, int j) const
   {
     const int i0 = i >> level.shift << level.shift, j0 = j >> level.shift << level.shift;
-    return intersection(
-      { i0, i0 + (1 << level.shift), j0, j0 + (1 << level.shift) }, this->Whole);
+    return intersection({ i0, i0 + (1 << level.shift), j0, j0 + (1 << level.shift) }, this->Whole);
   }
   /// The rays of a finest cell.
   Window window(int cell) const

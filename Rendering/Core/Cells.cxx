@@ -33,9 +33,8 @@ void forBins(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Body
 std::size_t Cells::countPages(const std::vector<Bins>& bins, int cell) const
 {
   std::size_t count = 0;
-  forBins(this->Grid, bins, cell, [&count](const Bins& all, const CellGrid::Level&, int bin) {
-    count += all.pageCount(bin);
-  });
+  forBins(this->Grid, bins, cell,
+    [&count](const Bins& all, const CellGrid::Level&, int bin) { count += all.pageCount(bin); });
   return count;
 }
 
@@ -94,7 +93,8 @@ void Cells::run(
     }
   }
   forEach(parallel, this->Batches[batch], this->Batches[batch + 1],
-    [&](int worker, std::size_t task) {
+    [&](int worker, std::size_t task)
+    {
       std::unique_ptr<Memory>& memory = this->Scratch[worker];
       if (!memory)
       {
@@ -104,8 +104,7 @@ void Cells::run(
     });
 }
 
-void Cells::run(
-  const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound)
+void Cells::run(const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound)
 {
   if (task.shares == 0 && this->Kept.empty())
   {
@@ -141,7 +140,8 @@ void Cells::cast(const Task& task, const std::vector<Bins>& bins, Memory& memory
 {
   int number = 0;
   forBins(this->Grid, bins, task.cell,
-    [&](const Bins& all, const CellGrid::Level& level, int bin) {
+    [&](const Bins& all, const CellGrid::Level& level, int bin)
+    {
       for (const BinPage* page = all.pages(bin); page; page = page->next)
       {
         if (number++ % task.shares != task.share)

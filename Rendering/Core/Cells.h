@@ -24,8 +24,8 @@ class Cells
 {
 public:
   /// kernels: whether to cast and paint with them, or plainly.
-  Cells(const CameraFrame& frame, const Window& image, const CellGrid& grid,
-    const Casting& casting, const Painting& painting, int workers, bool kernels)
+  Cells(const CameraFrame& frame, const Window& image, const CellGrid& grid, const Casting& casting,
+    const Painting& painting, int workers, bool kernels)
     : Frame(frame)
     , Image(image)
     , Grid(grid)
@@ -44,8 +44,8 @@ public:
 
   /// Cast one batch. Cells are painted in the last round, before that they keep
   /// their hits for the next one.
-  void run(std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel,
-    bool isLastRound);
+  void run(
+    std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel, bool isLastRound);
 
 private:
   struct Task

@@ -94,8 +94,8 @@ inline bool spansZero(double a, double b, double c)
  * Not hit: a triangle whose edge functions sum to zero, one at or behind the
  * eye, and anything that is not a number.
  */
-inline bool intersect(const FramePoint& a, const FramePoint& b, const FramePoint& c, double x,
-  double y, Hit& hit)
+inline bool intersect(
+  const FramePoint& a, const FramePoint& b, const FramePoint& c, double x, double y, Hit& hit)
 {
   const double ax = a.x - x * a.w, ay = a.y - y * a.w;
   const double bx = b.x - x * b.w, by = b.y - y * b.w;

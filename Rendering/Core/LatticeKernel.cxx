@@ -41,8 +41,7 @@ hn::Vec<Halves> position(const PointLattice::Axis& axis, V u, int shift)
   const hn::Rebind<std::int32_t, D> di;
   const V zero = hn::Zero(d), last = hn::Set(d, axis.count), margin = hn::Set(d, axis.margin);
   const V left = hn::Min(hn::Max(hn::Sub(u, margin), zero), last);
-  const V right =
-    hn::Min(hn::Max(hn::Add(hn::Add(u, margin), hn::Set(d, 1.0)), zero), last);
+  const V right = hn::Min(hn::Max(hn::Add(hn::Add(u, margin), hn::Set(d, 1.0)), zero), last);
   const auto first = hn::DemoteTo(di, hn::Ceil(left));
   const auto end = hn::DemoteTo(di, right);
   const auto roundUp = hn::Set(di, (1 << shift) - 1);
@@ -64,8 +63,7 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
     loadPoints(coordinates + 3 * p, x, y, z);
     const FrameVector v = frame.toFrame(x, y, z);
     const V perUnit = hn::Div(hn::Set(d, lattice.raysPerUnit()), v.w);
-    const V column =
-      hn::Add(hn::Mul(v.x, perUnit), hn::Set(d, lattice.columns().origin));
+    const V column = hn::Add(hn::Mul(v.x, perUnit), hn::Set(d, lattice.columns().origin));
     const V row = hn::Add(hn::Mul(v.y, perUnit), hn::Set(d, lattice.rows().origin));
     hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
       position(lattice.rows(), row, lattice.shift()), Halves(), &positions[p].column);
@@ -102,18 +100,15 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     const LatticePosition a = positions[boxes.corners[3 * k]];
     const LatticePosition b = positions[boxes.corners[3 * k + 1]];
     const LatticePosition c = positions[boxes.corners[3 * k + 2]];
-    const auto first = [](int p, int q, int r) {
-      return static_cast<std::uint16_t>(std::min(p, std::min(q, r)) >> 1);
-    };
-    const auto end = [](int p, int q, int r) {
-      return static_cast<std::uint16_t>((std::max(p, std::max(q, r)) + 1) >> 1);
-    };
+    const auto first = [](int p, int q, int r)
+    { return static_cast<std::uint16_t>(std::min(p, std::min(q, r)) >> 1); };
+    const auto end = [](int p, int q, int r)
+    { return static_cast<std::uint16_t>((std::max(p, std::max(q, r)) + 1) >> 1); };
     boxes.triangles[boxes.found] = static_cast<std::uint32_t>(k);
     boxes.unplacedTriangles[boxes.unplaced] = static_cast<std::uint32_t>(k);
     boxes.first[boxes.found] = { first(a.column, b.column, c.column), first(a.row, b.row, c.row) };
     boxes.end[boxes.found] = { end(a.column, b.column, c.column), end(a.row, b.row, c.row) };
-    boxes.isInexact[boxes.found] =
-      (a.column | b.column | c.column | a.row | b.row | c.row) & 1;
+    boxes.isInexact[boxes.found] = (a.column | b.column | c.column | a.row | b.row | c.row) & 1;
     const bool isUnplaced =
       std::max(a.column, std::max(b.column, c.column)) >= LatticePosition::notFinite;
     boxes.unplaced += isUnplaced;
@@ -151,11 +146,10 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     const auto smallest = hn::Min(hn::Min(a, b), c), largest = hn::Max(hn::Max(a, b), c);
     const auto first = hn::ShiftRight<1>(smallest);
     const auto end = hn::ShiftRight<1>(hn::Add(largest, hn::Set(dh, 1)));
-    const auto hasRays =
-      hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
+    const auto hasRays = hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
     // Both halves of a position say so if it is unplaced; one of them is the column.
-    const auto unplaced = hn::Gt(hn::And(hn::BitCast(dp, largest), columnBits),
-      hn::Set(dp, LatticePosition::notFinite - 1u));
+    const auto unplaced = hn::Gt(
+      hn::And(hn::BitCast(dp, largest), columnBits), hn::Set(dp, LatticePosition::notFinite - 1u));
     const auto isUsed = hn::Lt(hn::Iota(di, k), hn::Set(di, boxes.count));
     const auto used = hn::RebindMask(dp, isUsed);
     const auto keep = hn::AndNot(unplaced, hn::And(hasRays, used));
@@ -164,10 +158,10 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     hn::CompressStore(numbers, keep, dp, boxes.triangles + boxes.found);
     hn::CompressStore(hn::BitCast(dp, first), keep, dp,
       reinterpret_cast<std::uint32_t*>(boxes.first + boxes.found));
-    hn::CompressStore(hn::BitCast(dp, end), keep, dp,
-      reinterpret_cast<std::uint32_t*>(boxes.end + boxes.found));
-    boxes.found += static_cast<int>(
-      hn::CompressStore(inexact, keep, dp, boxes.isInexact + boxes.found));
+    hn::CompressStore(
+      hn::BitCast(dp, end), keep, dp, reinterpret_cast<std::uint32_t*>(boxes.end + boxes.found));
+    boxes.found +=
+      static_cast<int>(hn::CompressStore(inexact, keep, dp, boxes.isInexact + boxes.found));
     const auto aside = hn::And(unplaced, used);
     if (!hn::AllFalse(dp, aside))
     {

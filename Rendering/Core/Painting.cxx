@@ -31,8 +31,7 @@ void Painting::paintPlainly(const CellRays& rays) const
       this->store(pixel,
         triangle == CellRays::none
           ? background
-          : this->Colors.color(
-              static_cast<std::uint32_t>(triangle), rays.xs()[i], rays.ys()[j]));
+          : this->Colors.color(static_cast<std::uint32_t>(triangle), rays.xs()[i], rays.ys()[j]));
     }
   }
 }
@@ -166,7 +165,8 @@ void Painting::load(const Mesh::Part& part, ShadeBatch& batch)
       }
     }
   }
-  const auto put = [](double (*rows)[ShadeBatch::capacity], int k, const Vec3& v) {
+  const auto put = [](double(*rows)[ShadeBatch::capacity], int k, const Vec3& v)
+  {
     rows[0][k] = v.x;
     rows[1][k] = v.y;
     rows[2][k] = v.z;
@@ -183,8 +183,7 @@ void Painting::load(const Mesh::Part& part, ShadeBatch& batch)
     }
     if (!smooth)
     {
-      put(batch.normals, k,
-        Shader::faceNormal(surface, batch.triangles[k] - part.firstTriangle));
+      put(batch.normals, k, Shader::faceNormal(surface, batch.triangles[k] - part.firstTriangle));
     }
   }
 }

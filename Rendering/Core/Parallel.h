@@ -42,21 +42,23 @@ void forEach(const Parallel& parallel, std::size_t begin, std::size_t end, Body&
   std::atomic<std::size_t> next{ begin };
   std::exception_ptr failure;
   std::mutex failureMutex;
-  parallel.run([&](int worker) {
-    try
+  parallel.run(
+    [&](int worker)
     {
-      for (std::size_t i = next++; i < end; i = next++)
+      try
       {
-        body(worker, i);
+        for (std::size_t i = next++; i < end; i = next++)
+        {
+          body(worker, i);
+        }
       }
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(failureMutex);
-      failure = std::current_exception();
-      next = end;
-    }
-  });
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(failureMutex);
+        failure = std::current_exception();
+        next = end;
+      }
+    });
   if (failure)
   {
     std::rethrow_exception(failure);

@@ -82,9 +82,8 @@ public:
     {
       return { first.column, end.column, first.row, end.row };
     }
-    return { first.column << this->Shift,
-      std::min(end.column << this->Shift, this->Columns.count), first.row << this->Shift,
-      std::min(end.row << this->Shift, this->Rows.count) };
+    return { first.column << this->Shift, std::min(end.column << this->Shift, this->Columns.count),
+      first.row << this->Shift, std::min(end.row << this->Shift, this->Rows.count) };
   }
 
   /// Whether raysBetween() is exactly the rays that pass intersect()'s box test: no

@@ -35,8 +35,8 @@ public:
     , Caster(this->Triangles, this->Frame, this->Grid, image.part)
     , Shades(scene, this->Triangles, this->Frame)
     , Painter(scene, this->Triangles, this->Shades, image)
-    , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter,
-        parallel.workers(), settings.kernels)
+    , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
+        settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
@@ -72,9 +72,8 @@ private:
   {
     const std::size_t chunk = this->How.chunk;
     forEach(this->Workers, 0, (end - begin + chunk - 1) / chunk,
-      [&](int worker, std::size_t i) {
-        body(worker, begin + i * chunk, std::min(end, begin + (i + 1) * chunk));
-      });
+      [&](int worker, std::size_t i)
+      { body(worker, begin + i * chunk, std::min(end, begin + (i + 1) * chunk)); });
   }
 
   bool locatePoints()
@@ -94,8 +93,9 @@ private:
 
   void locate(std::size_t begin, std::size_t end)
   {
-    this->Triangles.forPoints(
-      begin, end, [this](const Mesh::Part& part, std::size_t from, std::size_t to) {
+    this->Triangles.forPoints(begin, end,
+      [this](const Mesh::Part& part, std::size_t from, std::size_t to)
+      {
         LatticePosition* positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)
         {
@@ -122,9 +122,9 @@ private:
     while (next < count && pages < this->How.binPages)
     {
       const std::size_t end = std::min(count, next + batchSize);
-      this->forChunks(next, end, [this](int worker, std::size_t from, std::size_t to) {
-        this->Binner.run(from, to, this->WorkerBins[worker], this->WorkerDefects[worker]);
-      });
+      this->forChunks(next, end,
+        [this](int worker, std::size_t from, std::size_t to)
+        { this->Binner.run(from, to, this->WorkerBins[worker], this->WorkerDefects[worker]); });
       next = end;
       pages = 0;
       for (const Bins& bins : this->WorkerBins)

@@ -96,10 +96,7 @@ struct Surface
   std::int64_t firstCell = 0;
   Material material;
 
-  bool isSmooth() const
-  {
-    return this->material.shading == Shading::Smooth && this->pointNormals;
-  }
+  bool isSmooth() const { return this->material.shading == Shading::Smooth && this->pointNormals; }
   std::size_t triangleCount() const { return this->corners.size / 3; }
   std::int64_t cellOf(std::size_t triangle) const
   {
@@ -111,11 +108,11 @@ struct Surface
 struct Light
 {
   bool positional = false;
-  Vec3 position{ 0.0, 0.0, 1.0 }; ///< of a positional light
-  Vec3 direction{ 0.0, 0.0, -1.0 }; ///< in which it shines; the cone's axis; any length
-  Vec3 color{ 1.0 };              ///< colour x intensity
-  double coneAngle = 90.0;        ///< degrees from axis to rim; 90 and more: no cone
-  double exponent = 1.0;          ///< fall-off from the axis, within the cone
+  Vec3 position{ 0.0, 0.0, 1.0 };    ///< of a positional light
+  Vec3 direction{ 0.0, 0.0, -1.0 };  ///< in which it shines; the cone's axis; any length
+  Vec3 color{ 1.0 };                 ///< colour x intensity
+  double coneAngle = 90.0;           ///< degrees from axis to rim; 90 and more: no cone
+  double exponent = 1.0;             ///< fall-off from the axis, within the cone
   Vec3 attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic
 };
 

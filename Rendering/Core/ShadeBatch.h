@@ -22,7 +22,7 @@ struct ShadeBatch
   int count = 0; ///< of hits
   int runs = 0;  ///< of hits on the same triangle
   std::size_t pixels[capacity];
-  std::int64_t run[capacity]; ///< of each hit
+  std::int64_t run[capacity];        ///< of each hit
   std::uint32_t triangles[capacity]; ///< of each run
 
   alignas(64) double x[capacity], y[capacity]; ///< the ray of each hit

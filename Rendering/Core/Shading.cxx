@@ -47,13 +47,12 @@ Vec3 Shader::color(std::uint32_t number, double x, double y) const
     return surface.material.color;
   }
   const std::size_t triangle = number - part.firstTriangle;
-  const auto corner = [&](std::size_t k) {
-    return this->Frame.toFrame(surface.points[surface.corners[3 * triangle + k]]);
-  };
+  const auto corner = [&](std::size_t k)
+  { return this->Frame.toFrame(surface.points[surface.corners[3 * triangle + k]]); };
   Hit hit{};
   intersect(corner(0), corner(1), corner(2), x, y, hit);
-  return this->lit(surface.material, this->Frame.fromEye(x, y, hit.depth),
-    this->normal(surface, triangle, hit));
+  return this->lit(
+    surface.material, this->Frame.fromEye(x, y, hit.depth), this->normal(surface, triangle, hit));
 }
 
 Vec3 Shader::normal(const Surface& surface, std::size_t triangle, const Hit& hit) const

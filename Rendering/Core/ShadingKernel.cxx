@@ -147,12 +147,11 @@ Vector3 lit(
 void storeBytes(V value, std::int32_t* bytes)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-  const V clamped = hn::IfThenElseZero(
-    hn::Gt(value, zero), hn::IfThenElse(hn::Lt(value, one), value, one));
+  const V clamped =
+    hn::IfThenElseZero(hn::Gt(value, zero), hn::IfThenElse(hn::Lt(value, one), value, one));
   const hn::Rebind<std::int32_t, D> di32;
   hn::StoreU(
-    hn::DemoteTo(di32, hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5))), di32,
-    bytes);
+    hn::DemoteTo(di32, hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5))), di32, bytes);
 }
 
 /// Bring the corners of all runs into the camera's frame.
@@ -219,8 +218,8 @@ void ShadeBatchOfHits(
 {
   toFrame(VectorFrame(shader.frame()), batch);
   // Fill up the last vector with copies of the last hit.
-  const int end = (batch.count + static_cast<int>(lanes) - 1) / static_cast<int>(lanes) *
-    static_cast<int>(lanes);
+  const int end =
+    (batch.count + static_cast<int>(lanes) - 1) / static_cast<int>(lanes) * static_cast<int>(lanes);
   for (int k = batch.count; k < end; ++k)
   {
     batch.run[k] = batch.run[batch.count - 1];

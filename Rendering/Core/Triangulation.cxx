@@ -47,8 +47,8 @@ struct Polygon
 
   double turnAt(std::size_t k) const
   {
-    return turn(this->points[this->previous(k)], this->points[k], this->points[this->next(k)],
-      this->normal);
+    return turn(
+      this->points[this->previous(k)], this->points[k], this->points[this->next(k)], this->normal);
   }
 
   bool isConvex() const
@@ -206,24 +206,26 @@ CellSizes inspect(const CellSpan& cells, const Parallel& parallel)
 {
   const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
   std::atomic<bool> areTriangles{ true }, areSound{ count == 0 || cells.offsets[0] == 0 };
-  forEach(parallel, 0, (count + cellsPerChunk - 1) / cellsPerChunk, [&](int, std::size_t chunk) {
-    bool triangles = true, sound = true;
-    const std::size_t end = std::min(count, (chunk + 1) * cellsPerChunk);
-    for (std::size_t cell = chunk * cellsPerChunk; cell < end; ++cell)
+  forEach(parallel, 0, (count + cellsPerChunk - 1) / cellsPerChunk,
+    [&](int, std::size_t chunk)
     {
-      const std::uint64_t from = cells.offsets[cell], to = cells.offsets[cell + 1];
-      triangles &= to - from == 3;
-      sound &= from <= to && to <= cells.connectivity.size;
-    }
-    if (!triangles)
-    {
-      areTriangles = false;
-    }
-    if (!sound)
-    {
-      areSound = false;
-    }
-  });
+      bool triangles = true, sound = true;
+      const std::size_t end = std::min(count, (chunk + 1) * cellsPerChunk);
+      for (std::size_t cell = chunk * cellsPerChunk; cell < end; ++cell)
+      {
+        const std::uint64_t from = cells.offsets[cell], to = cells.offsets[cell + 1];
+        triangles &= to - from == 3;
+        sound &= from <= to && to <= cells.connectivity.size;
+      }
+      if (!triangles)
+      {
+        areTriangles = false;
+      }
+      if (!sound)
+      {
+        areSound = false;
+      }
+    });
   return !areSound ? CellSizes::Broken : areTriangles ? CellSizes::Triangles : CellSizes::Mixed;
 }
 
@@ -232,21 +234,22 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
 {
   const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
   const std::size_t chunks = (count + cellsPerChunk - 1) / cellsPerChunk;
-  const auto endOf = [&](std::size_t chunk) {
-    return std::min(count, (chunk + 1) * cellsPerChunk);
-  };
+  const auto endOf = [&](std::size_t chunk)
+  { return std::min(count, (chunk + 1) * cellsPerChunk); };
   std::vector<Cutter> cutters(parallel.workers(), Cutter(cells, kind, points));
 
   // 1. Where the triangles of each chunk of cells begin.
   std::vector<std::size_t> first(chunks + 1, list.cells.size());
-  forEach(parallel, 0, chunks, [&](int worker, std::size_t chunk) {
-    std::size_t triangles = 0;
-    for (std::size_t cell = chunk * cellsPerChunk; cell < endOf(chunk); ++cell)
+  forEach(parallel, 0, chunks,
+    [&](int worker, std::size_t chunk)
     {
-      triangles += cutters[worker].triangleCount(cell);
-    }
-    first[chunk + 1] = triangles;
-  });
+      std::size_t triangles = 0;
+      for (std::size_t cell = chunk * cellsPerChunk; cell < endOf(chunk); ++cell)
+      {
+        triangles += cutters[worker].triangleCount(cell);
+      }
+      first[chunk + 1] = triangles;
+    });
   for (std::size_t chunk = 0; chunk < chunks; ++chunk)
   {
     first[chunk + 1] += first[chunk];
@@ -255,15 +258,17 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   list.cells.resize(first[chunks]);
 
   // 2. Each chunk into its own place.
-  forEach(parallel, 0, chunks, [&](int worker, std::size_t chunk) {
-    Out out = list.corners.data() + 3 * first[chunk];
-    auto cellOut = list.cells.begin() + static_cast<std::ptrdiff_t>(first[chunk]);
-    for (std::size_t cell = chunk * cellsPerChunk; cell < endOf(chunk); ++cell)
+  forEach(parallel, 0, chunks,
+    [&](int worker, std::size_t chunk)
     {
-      cutters[worker].cut(cell, out);
-      cellOut = std::fill_n(cellOut, cutters[worker].triangleCount(cell),
-        firstCell + static_cast<std::int64_t>(cell));
-    }
-  });
+      Out out = list.corners.data() + 3 * first[chunk];
+      auto cellOut = list.cells.begin() + static_cast<std::ptrdiff_t>(first[chunk]);
+      for (std::size_t cell = chunk * cellsPerChunk; cell < endOf(chunk); ++cell)
+      {
+        cutters[worker].cut(cell, out);
+        cellOut = std::fill_n(cellOut, cutters[worker].triangleCount(cell),
+          firstCell + static_cast<std::int64_t>(cell));
+      }
+    });
 }
 }

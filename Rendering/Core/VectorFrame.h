@@ -52,7 +52,8 @@ public:
     const V dx = hn::Sub(x, hn::Set(d, this->Frame.eye.x));
     const V dy = hn::Sub(y, hn::Set(d, this->Frame.eye.y));
     const V dz = hn::Sub(z, hn::Set(d, this->Frame.eye.z));
-    const auto along = [&](const Vec3& axis) {
+    const auto along = [&](const Vec3& axis)
+    {
       return hn::Add(hn::Add(hn::Mul(hn::Set(d, axis.x), dx), hn::Mul(hn::Set(d, axis.y), dy)),
         hn::Mul(hn::Set(d, axis.z), dz));
     };

@@ -43,7 +43,8 @@ bool choose(const std::string& name)
 /// Once, before anything else is asked: what the environment wants.
 void readEnvironment()
 {
-  static const bool done = []() {
+  static const bool done = []()
+  {
     const char* name = std::getenv("LAMBENT_SIMD");
     return name && choose(name);
   }();

@@ -23,8 +23,7 @@ struct Window
 
 inline Window intersection(const Window& a, const Window& b)
 {
-  return { std::max(a.i0, b.i0), std::min(a.i1, b.i1), std::max(a.j0, b.j0),
-    std::min(a.j1, b.j1) };
+  return { std::max(a.i0, b.i0), std::min(a.i1, b.i1), std::max(a.j0, b.j0), std::min(a.j1, b.j1) };
 }
 }
 

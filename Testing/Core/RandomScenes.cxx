@@ -249,9 +249,8 @@ void addLights(Random& random, lambent::Scene& scene, double size, const Vec3& o
     random.chance(3) ? lambent::AmbientModel::Scene : lambent::AmbientModel::PerLight;
   scene.twoSidedLighting = !random.chance(3);
   scene.background = { random.unit(), random.unit(), random.unit() };
-  scene.backgroundTop = random.chance(2)
-    ? scene.background
-    : Vec3(random.unit(), random.unit(), random.unit());
+  scene.backgroundTop =
+    random.chance(2) ? scene.background : Vec3(random.unit(), random.unit(), random.unit());
 }
 
 void aim(Random& random, lambent::Camera& camera, double size, const Vec3& origin, bool inside)

@@ -56,8 +56,8 @@ std::size_t differences(const Picture& a, const Picture& b)
 
 std::string describe(unsigned int seed, const RandomScene& random)
 {
-  return "seed " + std::to_string(seed) + ": " + random.name + ", " +
-    std::to_string(random.width) + " x " + std::to_string(random.height);
+  return "seed " + std::to_string(seed) + ": " + random.name + ", " + std::to_string(random.width) +
+    " x " + std::to_string(random.height);
 }
 
 Settings smallCells(int shift)
@@ -79,8 +79,7 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
     const Mesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, random.width, random.height);
     const Shader shader(random.scene, mesh, frame);
-    const Picture picture =
-      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    const Picture picture = makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     for (int j = 0; j < random.height; ++j)
     {
       for (int i = 0; i < random.width; ++i)
@@ -220,8 +219,8 @@ TEST(BruteForce, EqualsSplitCells)
     const Picture alone = makePicture(random, whole(random), settings);
     for (int threads : { 2, 3, 8 })
     {
-      EXPECT_EQ(differences(alone,
-                  makePicture(random, whole(random), settings, ThreadedParallel(threads))),
+      EXPECT_EQ(
+        differences(alone, makePicture(random, whole(random), settings, ThreadedParallel(threads))),
         0u)
         << describe(seed, random) << ", " << threads << " threads";
     }
@@ -241,9 +240,9 @@ TEST(BruteForce, EqualsThePartsOfAnImage)
     for (int j = part.j0; j < part.j1; ++j)
     {
       const std::size_t row = 3u * (j - part.j0) * part.width();
-      ASSERT_EQ(std::memcmp(&picture.floats[row],
-                  &reference.floats[3u * (j * random.width + part.i0)],
-                  3u * part.width() * sizeof(float)),
+      ASSERT_EQ(
+        std::memcmp(&picture.floats[row], &reference.floats[3u * (j * random.width + part.i0)],
+          3u * part.width() * sizeof(float)),
         0)
         << describe(seed, random) << ", row " << j;
     }
