@@ -4,8 +4,8 @@
 #
 # Installs what is missing, builds, and renders a mesh:
 #   sh Examples/run.sh [MESH] [options of the command lambent]
-# Without a MESH it draws that of Data/, without anything the picture of the README. It goes to
-# build/, unless an option -o says otherwise.
+# Without a MESH it draws that of Data/, without anything the picture of the README. The picture
+# goes to build/, unless an option -o says otherwise.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
 . "$root/.ci/setup.sh"
