@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where points fall between the rays may keep too many rays of a triangle, and never
+// one too few.
+#include "PointLattice.h"
+#include "RandomNumbers.h"
+
+#include <gtest/gtest.h>
+
+using namespace lambent;
+
+namespace
+{
+Camera makeCamera(RandomNumbers& random, double size, const Vec3& origin)
+{
+  Camera camera;
+  camera.position = origin + random.inBox(4.0 * size);
+  camera.focalPoint = origin + random.inBox(0.3 * size);
+  camera.viewUp = random.inBox(1.0);
+  camera.parallel = random.below(3) == 0;
+  camera.parallelScale = random.within(0.3, 2.0) * size;
+  camera.windowCenter[0] = random.below(3) == 0 ? random.within(-2.0, 2.0) : 0.0;
+  return camera;
+}
+
+bool isPlaced(LatticePosition p)
+{
+  return p.column < LatticePosition::notFinite;
+}
+
+/// Calls check(i, j, hit, rays) for each ray of the window and random triangles.
+template <typename Check>
+void forRaysAndTriangles(const Window& window, Check&& check)
+{
+  RandomNumbers random(7);
+  for (int k = 0; k < 1500; ++k)
+  {
+    const bool isFar = k % 3 == 0;
+    const Vec3 origin = isFar ? Vec3(1e7, -3e7, 5e6) : Vec3(0.0);
+    const double size = isFar ? 1e-2 : 1.0;
+    const CameraFrame frame(makeCamera(random, size, origin), 40, 30);
+    const PointLattice lattice(frame, window);
+    Vec3 points[3];
+    const Vec3 center = origin + random.inBox(size);
+    for (Vec3& point : points)
+    {
+      point = center + random.inBox(random.below(2) ? size : 0.1 * size);
+      if (random.below(4) == 0) // exactly, or nearly, on a ray
+      {
+        const double depth = random.within(1.0, 5.0) * size;
+        point =
+          frame.eye + frame.fromEye(frame.x(random.below(40)), frame.y(random.below(30)), depth);
+      }
+    }
+    LatticePosition p[3];
+    FramePoint q[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c] = lattice.locate(points[c]);
+      q[c] = frame.toFrame(points[c]);
+    }
+    if (isPlaced(p[0]) && isPlaced(p[1]) && isPlaced(p[2]))
+    {
+      const Window rays = lattice.raysBetween(p[0], p[1], p[2]);
+      EXPECT_TRUE(rays.i0 >= 0 && rays.i1 <= window.width());
+      EXPECT_TRUE(rays.j0 >= 0 && rays.j1 <= window.height());
+      for (int j = 0; j < window.height(); ++j)
+      {
+        for (int i = 0; i < window.width(); ++i)
+        {
+          Hit hit;
+          check(i, j,
+            intersect(q[0], q[1], q[2], frame.x(window.i0 + i), frame.y(window.j0 + j), hit), rays);
+        }
+      }
+    }
+  }
+}
+}
+
+TEST(PointLattice, KeepsEveryRayThatHits)
+{
+  for (const Window& window : { Window{ 0, 40, 0, 30 }, Window{ 7, 23, 11, 12 } })
+  {
+    int hits = 0;
+    forRaysAndTriangles(window,
+      [&](int i, int j, bool isHit, const Window& rays)
+      {
+        if (isHit)
+        {
+          ++hits;
+          EXPECT_TRUE(i >= rays.i0 && i < rays.i1 && j >= rays.j0 && j < rays.j1)
+            << "ray " << i << ", " << j;
+        }
+      });
+    EXPECT_GT(hits, 1000);
+  }
+}
+
+// A point between two rays is placed between these two, so that what lies between the
+// rays is dropped.
+TEST(PointLattice, TellsBetweenWhichRays)
+{
+  const Window window{ 5, 35, 3, 30 };
+  RandomNumbers random(8);
+  for (int k = 0; k < 5000; ++k)
+  {
+    const CameraFrame frame(makeCamera(random, 1.0, Vec3(0.0)), 40, 30);
+    const PointLattice lattice(frame, window);
+    const int i = random.below(50) - 5, j = random.below(40) - 5;
+    const double depth = random.within(1.0, 5.0);
+    const Vec3 point = frame.eye +
+      frame.fromEye(frame.x(i) + random.within(0.01, 0.99) * frame.pixel,
+        frame.y(j) + random.within(0.01, 0.99) * frame.pixel, depth);
+    const LatticePosition p = lattice.locate(point);
+    EXPECT_EQ(p.column, 2 * std::min(30, std::max(0, i + 1 - 5)));
+    EXPECT_EQ(p.row, 2 * std::min(27, std::max(0, j + 1 - 3)));
+    EXPECT_TRUE(lattice.raysBetween(p, p, p).empty());
+  }
+}
+
+TEST(PointLattice, PointsOnARayAreOnEitherSide)
+{
+  const CameraFrame frame(Camera(), 40, 30);
+  const PointLattice lattice(frame, { 0, 40, 0, 30 });
+  const Vec3 point = frame.eye + frame.fromEye(frame.x(12), frame.y(7), 3.0);
+  const LatticePosition p = lattice.locate(point);
+  EXPECT_EQ(p.column, 2 * 12 + 1);
+  EXPECT_EQ(p.row, 2 * 7 + 1);
+  const Window rays = lattice.raysBetween(p, p, p);
+  EXPECT_TRUE(rays.i0 == 12 && rays.i1 == 13 && rays.j0 == 7 && rays.j1 == 8);
+}
+
+TEST(PointLattice, SaysSoWhereThereIsNoPlace)
+{
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  const PointLattice lattice(CameraFrame(Camera(), 40, 30), { 0, 40, 0, 30 });
+  for (const Vec3& behind : { Vec3(0.0, 0.0, 1.0), Vec3(3.0, 4.0, 5.0), Vec3(7.0, 0.0, 1.0) })
+  {
+    EXPECT_EQ(lattice.locate(behind).column, LatticePosition::anywhere);
+  }
+  for (double bad : { notANumber, infinite, -infinite })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Vec3 point(0.0, 0.0, -1.0);
+      point[axis] = bad;
+      EXPECT_EQ(lattice.locate(point).column, LatticePosition::notFinite);
+    }
+  }
+  // So far away that the frame overflows, and yet a number.
+  EXPECT_EQ(lattice.locate(Vec3(1e308, 1e308, -1e308)).column == LatticePosition::notFinite, false);
+}
+
+// Beyond 15 bits rays are counted in groups; none is lost.
+TEST(PointLattice, LargeImages)
+{
+  RandomNumbers random(9);
+  for (int size : { 31999, 32000, 64001, 1000000 })
+  {
+    Camera camera;
+    camera.parallel = true;
+    const CameraFrame frame(camera, size, size);
+    const Window window{ 0, size, 0, size };
+    const PointLattice lattice(frame, window);
+    EXPECT_TRUE(lattice.isPrecise());
+    for (int k = 0; k < 3000; ++k)
+    {
+      const int i = random.below(size), j = random.below(size);
+      const double span = random.within(0.1, 10.0) * frame.pixel;
+      const auto at = [&](double dx, double dy)
+      { return lattice.locate(Vec3(frame.x(i) + dx * span, frame.y(j) + dy * span, 0.0)); };
+      const Window rays = lattice.raysBetween(at(-1.0, -1.0), at(1.0, -1.0), at(0.0, 1.0));
+      EXPECT_TRUE(rays.i0 <= i && i < rays.i1 && rays.j0 <= j && j < rays.j1);
+      EXPECT_LE(rays.i1, size);
+      EXPECT_LE(rays.j1, size);
+      EXPECT_LE(rays.width(), 24 + size / 8000);
+    }
+  }
+}
