@@ -85,7 +85,8 @@ std::vector<CellBlock> findBlocks(const CellSpan& cells, const Parallel& paralle
             first = std::min(first, view.corners[i]);
             last = std::max(last, view.corners[i]);
           }
-          blocks[begin / CellsPerBlock] = { begin, end, first, last };
+          const bool isEmpty = first > last;
+          blocks[begin / CellsPerBlock] = { begin, end, isEmpty ? 0 : first, isEmpty ? -1 : last };
         });
     });
   return blocks;

@@ -19,7 +19,8 @@
 
 namespace lambent
 {
-/// Cells begin to end - 1, and the smallest and largest point that they name.
+/// Cells begin to end - 1, and the smallest and largest point that they name (0 and
+/// -1 if they name none).
 struct CellBlock
 {
   std::size_t begin, end;

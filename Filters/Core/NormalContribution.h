@@ -64,7 +64,8 @@ inline double angleBetween(double scalarProduct, double lengths)
   return arcCosine(std::max(-1.0, std::min(scalarProduct / lengths, 1.0)));
 }
 
-/// Calls add(corner, contribution) for the corners 0, 1, 2 of a triangle.
+/// Calls add(corner, compute) for the corners 0, 1, 2 of a triangle; compute() gives
+/// the contribution, and need not be called where that is not wanted.
 template <Weighting weighting, typename Add>
 inline void contributeTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Add&& add)
 {
@@ -79,37 +80,35 @@ inline void contributeTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Add&
   }
   if constexpr (weighting == Weighting::Area)
   {
-    add(0, area);
-    add(1, area);
-    add(2, area);
+    add(0, [&] { return area; });
+    add(1, [&] { return area; });
+    add(2, [&] { return area; });
   }
-  else if constexpr (weighting == Weighting::Max)
+  else if constexpr (weighting == Weighting::Uniform)
+  {
+    const Vec3 normal = area * (1.0 / std::sqrt(square));
+    add(0, [&] { return normal; });
+    add(1, [&] { return normal; });
+    add(2, [&] { return normal; });
+  }
+  else if constexpr (weighting == Weighting::Angle)
+  {
+    const Vec3 normal = area * (1.0 / std::sqrt(square));
+    const double abLength = length(ab);
+    const double bcLength = length(bc);
+    const double caLength = length(ca);
+    add(0, [&] { return normal * angleBetween(-dot(ab, ca), abLength * caLength); });
+    add(1, [&] { return normal * angleBetween(-dot(bc, ab), bcLength * abLength); });
+    add(2, [&] { return normal * angleBetween(-dot(ca, bc), caLength * bcLength); });
+  }
+  else
   {
     const double abSquare = dot(ab, ab);
     const double bcSquare = dot(bc, bc);
     const double caSquare = dot(ca, ca);
-    add(0, area * (1.0 / (abSquare * caSquare)));
-    add(1, area * (1.0 / (bcSquare * abSquare)));
-    add(2, area * (1.0 / (caSquare * bcSquare)));
-  }
-  else
-  {
-    const Vec3 normal = area * (1.0 / std::sqrt(square));
-    if constexpr (weighting == Weighting::Uniform)
-    {
-      add(0, normal);
-      add(1, normal);
-      add(2, normal);
-    }
-    else
-    {
-      const double abLength = length(ab);
-      const double bcLength = length(bc);
-      const double caLength = length(ca);
-      add(0, normal * angleBetween(-dot(ab, ca), abLength * caLength));
-      add(1, normal * angleBetween(-dot(bc, ab), bcLength * abLength));
-      add(2, normal * angleBetween(-dot(ca, bc), caLength * bcLength));
-    }
+    add(0, [&] { return area * (1.0 / (abSquare * caSquare)); });
+    add(1, [&] { return area * (1.0 / (bcSquare * abSquare)); });
+    add(2, [&] { return area * (1.0 / (caSquare * bcSquare)); });
   }
 }
 
@@ -173,8 +172,8 @@ inline Vec3 cornerContribution(const Vec3& area, const Vec3& u, const Vec3& v)
 }
 
 /**
- * Calls add(point id, contribution) for the corners of a face, in their order. A
- * point that is named twice in a row counts once. `scratch` keeps its memory from
+ * Calls add(point id, compute) for the corners of a face, in their order. A point
+ * that is named twice in a row counts once. `scratch` keeps its memory from
  * one call to the next.
  */
 template <Weighting weighting, typename Points, typename Id, typename Add>
@@ -196,15 +195,19 @@ inline void contributePolygon(
   if (count == 3)
   {
     contributeTriangle<weighting>(points[scratch[0]], points[scratch[1]], points[scratch[2]],
-      [&](int i, const Vec3& contribution) { add(scratch[i], contribution); });
+      [&](int i, auto&& compute) { add(scratch[i], compute); });
     return;
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Vec3 p = points[scratch[i]];
-    const Vec3 u = points[scratch[i + 1 < count ? i + 1 : 0]] - p;
-    const Vec3 v = points[scratch[i > 0 ? i - 1 : count - 1]] - p;
-    add(scratch[i], cornerContribution<weighting>(area, u, v));
+    add(scratch[i],
+      [&]
+      {
+        const Vec3 p = points[scratch[i]];
+        const Vec3 u = points[scratch[i + 1 < count ? i + 1 : 0]] - p;
+        const Vec3 v = points[scratch[i > 0 ? i - 1 : count - 1]] - p;
+        return cornerContribution<weighting>(area, u, v);
+      });
   }
 }
 }

@@ -5,15 +5,32 @@
 #include "CellBlocks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace lambent
 {
 namespace
 {
-// More than one range per worker evens out the work; each further one repeats the
-// faces at its ends.
-constexpr std::size_t RangesPerWorker = 4;
+/// Into how many ranges to divide the points. Several for each worker even out the
+/// work, but a block is walked once for each range that it touches: where blocks name
+/// points from everywhere, one range for each worker is least.
+std::size_t countRanges(
+  const std::vector<CellBlock>& blocks, std::size_t pointCount, const Parallel& parallel)
+{
+  constexpr double rangesPerWorker = 4.0;
+  constexpr double mostExtraVisits = 0.5; // per block
+  const double workers = parallel.workers();
+  double spread = 0.0; // the part of all points that lies between a block's first and last
+  for (const CellBlock& block : blocks)
+  {
+    spread += static_cast<double>(std::max<std::int64_t>(block.lastPoint - block.firstPoint, 0)) /
+      static_cast<double>(blocks.size() * pointCount);
+  }
+  const double ranges = spread > 0.0 ? std::floor(mostExtraVisits / spread) : workers;
+  return static_cast<std::size_t>(
+    workers > 1.0 ? std::clamp(ranges, workers, rangesPerWorker * workers) : 1.0);
+}
 
 /// What one worker sums up: the points begin to end - 1.
 struct PointRange
@@ -28,13 +45,13 @@ struct PointRange
       static_cast<std::uint64_t>(this->end - this->begin);
   }
 
-  template <typename Id>
-  void add(Id point, const Vec3& contribution) const
+  template <typename Id, typename Compute>
+  void add(Id point, Compute&& compute) const
   {
     if (this->contains(point))
     {
       Vec3& sum = this->sums[static_cast<std::size_t>(point - this->begin)];
-      sum = sum + contribution;
+      sum = sum + compute();
     }
   }
 };
@@ -50,12 +67,12 @@ void addFace(const Points& points, const Id* corners, std::size_t size, std::vec
   if (size == 3)
   {
     contributeTriangle<weighting>(points[corners[0]], points[corners[1]], points[corners[2]],
-      [&](int i, const Vec3& contribution) { range.add(corners[i], contribution); });
+      [&](int i, auto&& compute) { range.add(corners[i], compute); });
   }
   else
   {
-    contributePolygon<weighting>(points, corners, size, scratch,
-      [&](Id point, const Vec3& contribution) { range.add(point, contribution); });
+    contributePolygon<weighting>(
+      points, corners, size, scratch, [&](Id point, auto&& compute) { range.add(point, compute); });
   }
 }
 
@@ -73,9 +90,8 @@ template <Weighting weighting>
 void sumUp(const Faces& faces, float sign, const Parallel& parallel, float* normals)
 {
   const std::vector<CellBlock> blocks = findBlocks(faces.cells, parallel);
-  const std::size_t workers = static_cast<std::size_t>(parallel.workers());
-  const std::size_t ranges = workers > 1 ? RangesPerWorker * workers : 1;
-  std::vector<std::vector<Vec3>> sums(workers);
+  const std::size_t ranges = countRanges(blocks, faces.points.size, parallel);
+  std::vector<std::vector<Vec3>> sums(static_cast<std::size_t>(parallel.workers()));
 
   visit(faces.points, faces.cells,
     [&](auto points, auto cells)

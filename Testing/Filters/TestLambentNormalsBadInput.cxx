@@ -211,6 +211,22 @@ TEST(LambentNormalsBadInput, WhatHasNoNormalGetsZero)
   EXPECT_TRUE(messages.warnings.empty());
 }
 
+TEST(LambentNormalsBadInput, BlocksOfPolygonsWithoutPoints)
+{
+  vtkSmartPointer<vtkPolyData> cube = makeCube();
+  std::vector<Face> faces(5000);
+  for (const Face& face : facesOf(cube))
+  {
+    faces.push_back(face);
+  }
+  cube->SetPolys(makeMesh({}, faces)->GetPolys());
+  vtkNew<vtkLambentNormals> normals;
+  normals->SetInputData(cube);
+  normals->Update();
+  EXPECT_EQ(valuesOf(normals->GetOutput()->GetPointData()->GetNormals()),
+    referenceNormals(makeCube(), vtkLambentNormals::ANGLE));
+}
+
 TEST(LambentNormalsBadInput, NothingGivesNothing)
 {
   for (bool everything : { false, true })
