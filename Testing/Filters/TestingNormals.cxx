@@ -11,6 +11,7 @@
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 Vector operator-(const Vector& a, const Vector& b)
@@ -240,6 +242,27 @@ std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting)
     }
   }
   return normals;
+}
+
+Vector faceNormal(vtkPolyData* mesh, const Face& face)
+{
+  const Vector origin = pointOf(mesh, face[0]);
+  Vector area{ 0.0, 0.0, 0.0 };
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
+  {
+    const Vector term = cross(pointOf(mesh, face[i]) - origin, pointOf(mesh, face[i + 1]) - origin);
+    area = { area[0] + term[0], area[1] + term[1], area[2] + term[2] };
+  }
+  return dot(area, area) > 0.0 ? unit(area) : Vector{ 0.0, 0.0, 0.0 };
+}
+
+vtkSmartPointer<vtkIntArray> makeNumbers(const char* name, vtkIdType count)
+{
+  auto numbers = vtkSmartPointer<vtkIntArray>::New();
+  numbers->SetName(name);
+  numbers->SetNumberOfValues(count);
+  std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + count, 0);
+  return numbers;
 }
 
 std::vector<float> valuesOf(vtkDataArray* array)

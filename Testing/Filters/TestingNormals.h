@@ -15,6 +15,7 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkIntArray;
 class vtkPolyData;
 
 using Face = std::vector<vtkIdType>;
@@ -50,6 +51,12 @@ vtkSmartPointer<vtkPolyData> makeRandomMesh(const RandomMeshOptions& options);
 std::vector<Face> facesOf(vtkPolyData* mesh);
 
 Vector pointOf(vtkPolyData* mesh, vtkIdType point);
+
+// The unit normal of a face of at least three corners; zero if it has no area.
+Vector faceNormal(vtkPolyData* mesh, const Face& face);
+
+// An array of 0, 1, 2 and so on.
+vtkSmartPointer<vtkIntArray> makeNumbers(const char* name, vtkIdType count);
 
 // Three floats a point: the definition in vtkLambentNormals' documentation.
 std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting);
