@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Binning.h"
 
-#include "LatticeKernel.h"
+#include <hwy/cache_control.h>
 
 #include <limits>
 
@@ -27,7 +27,7 @@ bool copyCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
 }
 }
 
-void Binning::run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& defects) const
+void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
   this->Triangles.forTriangles(begin, end,
     [&](const Mesh::Part& part, std::size_t partBegin, std::size_t partEnd)
@@ -35,17 +35,17 @@ void Binning::run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& d
       constexpr std::size_t block = LatticeBoxes::capacity;
       for (std::size_t t = partBegin; t < partEnd; t += block)
       {
-        this->bin(part, t, std::min(t + block, partEnd), bins, defects);
+        this->bin(part, t, std::min(t + block, partEnd), memory);
       }
     });
 }
 
-void Binning::bin(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
-  MeshDefects& defects) const
+void Binning::bin(
+  const Mesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
   const Surface& surface = *part.surface;
   const std::size_t pointCount = surface.points.size;
-  LatticeBoxes boxes;
+  LatticeBoxes& boxes = memory.boxes;
   boxes.count = static_cast<int>(end - begin);
   const bool isSound = this->Kernels && pointCount <= std::numeric_limits<std::int32_t>::max() &&
     (surface.corners.is64Bit
@@ -56,26 +56,113 @@ void Binning::bin(const Mesh::Part& part, std::size_t begin, std::size_t end, Bi
   {
     for (std::size_t t = begin; t < end; ++t)
     {
-      this->binPlainly(part, t, bins, defects);
+      this->binPlainly(part, t, memory);
     }
     return;
   }
   findBoxes(this->Positions + part.firstPoint, boxes);
+  const ScreenPoint* const screen = this->Screen + part.firstPoint;
+  for (int k = 0; k < boxes.found; ++k)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      hwy::Prefetch(screen + boxes.corners[3 * boxes.triangles[k] + corner]);
+    }
+  }
+  const bool isCulled = surface.material.cullFront || surface.material.cullBack;
   const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
   for (int k = 0; k < boxes.found; ++k)
   {
-    bins.insert(first + boxes.triangles[k], this->Lattice.raysFrom(boxes.first[k], boxes.end[k]),
-      this->Lattice.shift() == 0 && boxes.isInexact[k] == 0);
+    const Window box = this->Lattice.raysFrom(boxes.first[k], boxes.end[k]);
+    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[k] == 0;
+    const std::uint32_t triangle = first + boxes.triangles[k];
+    const std::int32_t* const corners = boxes.corners + 3 * boxes.triangles[k];
+    if (isCulled || !isExact || !this->addSmall(triangle, corners, screen, box, memory))
+    {
+      memory.bins.insert(triangle, box, isExact);
+    }
   }
   for (int k = 0; k < boxes.unplaced; ++k)
   {
-    this->binPlainly(part, begin + boxes.unplacedTriangles[k], bins, defects);
+    this->binPlainly(part, begin + boxes.unplacedTriangles[k], memory);
+  }
+}
+
+/// False if the triangle is not small, or not wholly before the eye.
+bool Binning::addSmall(std::uint32_t triangle, const std::int32_t* corners,
+  const ScreenPoint* screen, const Window& box, BinningMemory& memory) const
+{
+  if (box.width() > SmallTriangles::side || box.height() > SmallTriangles::side)
+  {
+    return false;
+  }
+  const ScreenPoint &a = screen[corners[0]], &b = screen[corners[1]], &c = screen[corners[2]];
+  if (!(a.depth > 0.0f && b.depth > 0.0f && c.depth > 0.0f))
+  {
+    return false;
+  }
+  SmallTriangles& small = memory.small[box.height() - 1][box.width() - 1];
+  const int k = small.count++;
+  small.triangles[k] = triangle;
+  small.i[k] = box.i0;
+  small.j[k] = box.j0;
+  int row = 0;
+  for (const ScreenPoint* p : { &a, &b, &c })
+  {
+    small.points[row++][k] = p->u;
+    small.points[row++][k] = p->v;
+    small.points[row++][k] = p->depth;
+  }
+  if (small.count == SmallTriangles::capacity)
+  {
+    this->flush(box.width(), box.height(), memory);
+  }
+  return true;
+}
+
+void Binning::flush(BinningMemory& memory) const
+{
+  for (int height = 1; height <= SmallTriangles::side; ++height)
+  {
+    for (int width = 1; width <= SmallTriangles::side; ++width)
+    {
+      this->flush(width, height, memory);
+    }
+  }
+}
+
+void Binning::flush(int width, int height, BinningMemory& memory) const
+{
+  SmallTriangles& small = memory.small[height - 1][width - 1];
+  CoveredRays& covered = memory.covered;
+  findCoverage(small, width, height, this->Lattice.screenError(), covered);
+  small.count = 0;
+  for (int k = 0; k < covered.certain; ++k)
+  {
+    memory.bins.insertHit(covered.triangles[k], CoveredRays::column(covered.rays[k]),
+      CoveredRays::row(covered.rays[k]), covered.near[k], covered.far[k]);
+  }
+  for (int k = 0; k < covered.uncertain; ++k)
+  {
+    const std::uint32_t triangle = covered.uncertainTriangles[k];
+    const int i = CoveredRays::column(covered.uncertainRays[k]);
+    const int j = CoveredRays::row(covered.uncertainRays[k]);
+    double depth;
+    if (this->Caster.hits(triangle, this->Frame.x(this->Image.i0 + i),
+          this->Frame.y(this->Image.j0 + j), depth))
+    {
+      const auto rounded = static_cast<float>(depth);
+      memory.bins.insertHit(triangle, i, j, rounded * (1.0f - depthSlack),
+        rounded * (1.0f + depthSlack));
+    }
   }
 }
 
 void Binning::binPlainly(
-  const Mesh::Part& part, std::size_t t, Bins& bins, MeshDefects& defects) const
+  const Mesh::Part& part, std::size_t t, BinningMemory& memory) const
 {
+  Bins& bins = memory.bins;
+  MeshDefects& defects = memory.defects;
   const Surface& surface = *part.surface;
   const LatticePosition* positions = this->Positions + part.firstPoint;
   const auto triangle = static_cast<std::uint32_t>(part.firstTriangle + t);

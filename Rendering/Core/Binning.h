@@ -9,13 +9,18 @@
  * rays belong to. A triangle that the eye plane crosses has no bounded projection
  * and goes to all cells; one wholly at or behind the eye plane is dropped.
  *
- * binPlainly() takes one triangle after the other and is the definition; where the
- * mesh allows it, blocks of triangles go through the kernel of LatticeKernel.h.
+ * binPlainly() takes one triangle after the other and is the definition. Where the
+ * mesh allows it, blocks of triangles go through the kernel of LatticeKernel.h
+ * instead, and of those with few rays the certain hits are binned at once, see
+ * Coverage.h; their points are then not looked at again until they are shaded.
  */
 #ifndef lambent_Binning_h
 #define lambent_Binning_h
 
 #include "Bins.h"
+#include "Casting.h"
+#include "Coverage.h"
+#include "LatticeKernel.h"
 #include "Mesh.h"
 #include "PointLattice.h"
 
@@ -39,38 +44,64 @@ struct MeshDefects
   }
 };
 
+/// What a worker fills, and what it needs for that.
+struct BinningMemory
+{
+  explicit BinningMemory(const CellGrid& grid)
+    : bins(grid)
+  {
+  }
+
+  Bins bins;
+  MeshDefects defects;
+  LatticeBoxes boxes;
+  SmallTriangles small[SmallTriangles::side][SmallTriangles::side]; ///< by height, width - 1
+  CoveredRays covered;
+};
+
 class Binning
 {
 public:
-  /// positions: one for each point of the mesh. Without culling every triangle
-  /// goes to every cell.
+  /// positions, screen: one for each point of the mesh. Without culling every triangle
+  /// goes to every cell; kernels need culling.
   Binning(const Mesh& mesh, const CameraFrame& frame, const PointLattice& lattice,
-    const LatticePosition* positions, const CellGrid& grid, bool culling, bool kernels)
+    const LatticePosition* positions, const ScreenPoint* screen, const CellGrid& grid,
+    const Casting& casting, const Window& image, bool culling, bool kernels)
     : Triangles(mesh)
     , Frame(frame)
     , Lattice(lattice)
     , Positions(positions)
+    , Screen(screen)
     , Grid(grid)
+    , Caster(casting)
+    , Image(image)
     , Culling(culling)
     , Kernels(culling && kernels)
   {
   }
 
-  /// Bin the triangles [begin, end), counted over all surfaces.
-  void run(std::size_t begin, std::size_t end, Bins& bins, MeshDefects& defects) const;
+  /// Bin the triangles [begin, end), counted over all surfaces. Some are kept back
+  /// until flush().
+  void run(std::size_t begin, std::size_t end, BinningMemory& memory) const;
+  void flush(BinningMemory& memory) const;
 
 private:
-  void bin(const Mesh::Part& part, std::size_t begin, std::size_t end, Bins& bins,
-    MeshDefects& defects) const;
-  void binPlainly(
-    const Mesh::Part& part, std::size_t triangle, Bins& bins, MeshDefects& defects) const;
+  void bin(
+    const Mesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
+  void binPlainly(const Mesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
+  bool addSmall(std::uint32_t triangle, const std::int32_t* corners, const ScreenPoint* screen,
+    const Window& box, BinningMemory& memory) const;
+  void flush(int width, int height, BinningMemory& memory) const;
   bool isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const;
 
   const Mesh& Triangles;
   const CameraFrame& Frame;
   const PointLattice& Lattice;
   const LatticePosition* Positions;
+  const ScreenPoint* Screen;
   const CellGrid& Grid;
+  const Casting& Caster;
+  const Window Image;
   bool Culling;
   bool Kernels;
 };

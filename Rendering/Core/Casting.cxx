@@ -99,11 +99,22 @@ bool Casting::misses(const Triangle& t, const CellRays& rays, const Window& box)
   return false;
 }
 
-void Casting::castPlainly(const BinPage& page, const CellGrid::Level& level, CellRays& rays) const
+bool Casting::hits(std::uint32_t number, double x, double y, double& depth) const
+{
+  const Triangle t = this->triangle(number);
+  Hit hit{};
+  const bool isHit = intersect(t.a, t.b, t.c, x, y, hit) && !(t.cullFront && hit.sum > 0.0) &&
+    !(t.cullBack && hit.sum < 0.0);
+  depth = hit.depth;
+  return isHit;
+}
+
+void Casting::castPlainly(
+  const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays) const
 {
   for (int k = 0; k < page.count; ++k)
   {
-    const BinEntry& entry = page.entries[k];
+    const BinEntry& entry = page.items[k];
     const Window box = this->boxIn(rays, level, entry);
     if (!box.empty())
     {
@@ -112,7 +123,8 @@ void Casting::castPlainly(const BinPage& page, const CellGrid::Level& level, Cel
   }
 }
 
-void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
+void Casting::test(
+  const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
 {
   for (int j = box.j0; j < box.j1; ++j)
   {
@@ -128,125 +140,118 @@ void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, C
   }
 }
 
-void Casting::cast(
-  const BinPage& page, const CellGrid::Level& level, CellRays& rays, CastBatches& batches) const
+void Casting::cast(const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays,
+  CastBatch& batch) const
 {
-  Candidate candidates[BinPage::capacity];
+  Candidate candidates[Page<BinEntry>::capacity];
   this->fetch(page, candidates);
   const bool isFinest = this->Grid.isFinest(level);
   for (int k = 0; k < page.count; ++k)
   {
-    const BinEntry& entry = page.entries[k];
-    const Candidate& candidate = candidates[k];
-    const Material& material = candidate.surface->material;
-    if (!isFinest)
+    const BinEntry& entry = page.items[k];
+    const Window box = this->boxIn(rays, level, entry);
+    if (isFinest ||
+      (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box)))
     {
-      const Window box = this->boxIn(rays, level, entry);
-      if (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box))
-      {
-        this->addLarge(candidate, box, false, rays, batches.large);
-      }
-      continue;
-    }
-    const Window box{ entry.i0, entry.i1 + 1, entry.j0, entry.j1 + 1 };
-    if (box.width() <= CastBatches::side && box.height() <= CastBatches::side &&
-      !material.cullFront && !material.cullBack)
-    {
-      this->addSmall(candidate, box, rays, batches.small[box.height() - 1][box.width() - 1]);
-    }
-    else
-    {
-      this->addLarge(candidate, box, true, rays, batches.large);
+      this->add(entry.triangle, candidates[k], box, isFinest, rays, batch);
     }
   }
 }
 
 // Points lie anywhere in memory: all of a page's are asked for before the first is
-// read, and so are the corners of the page that comes next.
-void Casting::fetch(const BinPage& page, Candidate* candidates) const
+// read.
+void Casting::fetch(const Page<BinEntry>& page, Candidate* candidates) const
 {
-  if (page.next)
-  {
-    for (int k = 0; k < page.next->count; ++k)
-    {
-      const std::uint32_t number = page.next->entries[k].triangle;
-      const Mesh::Part& part = this->Triangles.partOf(number);
-      hwy::Prefetch(part.surface->corners.at(3 * (number - part.firstTriangle)));
-    }
-  }
   for (int k = 0; k < page.count; ++k)
   {
-    Candidate& candidate = candidates[k];
-    candidate.number = page.entries[k].triangle;
-    const Mesh::Part& part = this->Triangles.partOf(candidate.number);
-    candidate.surface = part.surface;
+    const std::uint32_t number = page.items[k].triangle;
+    const Mesh::Part& part = this->Triangles.partOf(number);
+    candidates[k].surface = part.surface;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      candidate.corners[corner] =
-        part.surface->corners[3 * (candidate.number - part.firstTriangle) + corner];
-      hwy::Prefetch(part.surface->points.at(candidate.corners[corner]));
+      candidates[k].corners[corner] =
+        part.surface->corners[3 * (number - part.firstTriangle) + corner];
+      hwy::Prefetch(part.surface->points.at(candidates[k].corners[corner]));
     }
   }
 }
 
-namespace
-{
-template <typename Batch>
-void putPoints(const TupleSpan& points, const std::uint64_t corners[3], Batch& batch)
+void Casting::add(std::uint32_t number, const Candidate& candidate, const Window& box,
+  bool isBoxExact, CellRays& rays, CastBatch& batch) const
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    const Vec3 p = points[corners[corner]];
+    const Vec3 p = candidate.surface->points[candidate.corners[corner]];
     batch.points[3 * corner][batch.count] = p.x;
     batch.points[3 * corner + 1][batch.count] = p.y;
     batch.points[3 * corner + 2][batch.count] = p.z;
   }
-}
-}
-
-void Casting::addSmall(
-  const Candidate& candidate, const Window& box, CellRays& rays, SmallBatch& batch) const
-{
-  putPoints(candidate.surface->points, candidate.corners, batch);
-  batch.triangles[batch.count] = candidate.number;
-  batch.firstRays[batch.count] = static_cast<std::uint32_t>(box.j0 * rays.stride() + box.i0);
-  batch.i[batch.count] = this->Image.i0 + rays.window().i0 + box.i0;
-  batch.j[batch.count] = this->Image.j0 + rays.window().j0 + box.j0;
-  if (++batch.count == SmallBatch::capacity)
-  {
-    castSmall(this->Frame, batch, box.width(), box.height(), rays);
-    batch.count = 0;
-  }
-}
-
-void Casting::addLarge(const Candidate& candidate, const Window& box, bool isBoxExact,
-  CellRays& rays, LargeBatch& batch) const
-{
-  putPoints(candidate.surface->points, candidate.corners, batch);
-  batch.triangles[batch.count] = candidate.number;
+  batch.triangles[batch.count] = number;
   batch.boxes[batch.count] = box;
   batch.isBoxExact[batch.count] = isBoxExact;
   batch.cullFront[batch.count] = candidate.surface->material.cullFront;
   batch.cullBack[batch.count] = candidate.surface->material.cullBack;
-  if (++batch.count == LargeBatch::capacity)
+  if (++batch.count == CastBatch::capacity)
   {
-    castLarge(this->Frame, batch, rays);
-    batch.count = 0;
+    this->flush(rays, batch);
   }
 }
 
-void Casting::flush(CellRays& rays, CastBatches& batches) const
+void Casting::flush(CellRays& rays, CastBatch& batch) const
 {
-  for (int height = 1; height <= CastBatches::side; ++height)
+  castBatch(this->Frame, batch, rays);
+  batch.count = 0;
+}
+
+double Casting::depthAt(std::int64_t triangle, const CellRays& rays, std::size_t ray) const
+{
+  double depth;
+  this->hits(static_cast<std::uint32_t>(triangle), rays.x(ray), rays.y(ray), depth);
+  return depth;
+}
+
+void Casting::addHits(const Page<Fragment>& page, CellRays& rays) const
+{
+  for (int k = 0; k < page.count; ++k)
   {
-    for (int width = 1; width <= CastBatches::side; ++width)
+    const Fragment& hit = page.items[k];
+    CellRays::Range& nearest = rays.ranges()[hit.ray];
+    if (hit.near > nearest.far)
     {
-      SmallBatch& batch = batches.small[height - 1][width - 1];
-      castSmall(this->Frame, batch, width, height, rays);
-      batch.count = 0;
+      continue;
+    }
+    bool isNearer = hit.far < nearest.near || nearest.triangle == CellRays::none;
+    if (!isNearer)
+    {
+      const double depth = this->depthAt(hit.triangle, rays, hit.ray);
+      const double other = this->depthAt(nearest.triangle, rays, hit.ray);
+      isNearer = depth < other || (depth == other && hit.triangle < nearest.triangle);
+    }
+    if (isNearer)
+    {
+      nearest = { hit.near, hit.far, hit.triangle };
     }
   }
-  castLarge(this->Frame, batches.large, rays);
-  batches.large.count = 0;
+}
+
+void Casting::settle(CellRays& rays, bool withDepths) const
+{
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
+  {
+    const CellRays::Range& hit = rays.ranges()[ray];
+    const double depth = rays.depths()[ray];
+    if (hit.triangle == CellRays::none || depth < hit.near)
+    {
+      continue;
+    }
+    if (!withDepths && depth > hit.far)
+    {
+      rays.triangles()[ray] = hit.triangle;
+    }
+    else
+    {
+      rays.offer(ray, this->depthAt(hit.triangle, rays, ray), hit.triangle);
+    }
+  }
 }
 }

@@ -75,8 +75,7 @@ struct Corners
   FrameVector a, b, c;
 };
 
-template <typename Batch>
-Corners corners(const VectorFrame& frame, const Batch& batch, std::size_t k)
+Corners corners(const VectorFrame& frame, const CastBatch& batch, std::size_t k)
 {
   const auto corner = [&](int first)
   {
@@ -84,58 +83,6 @@ Corners corners(const VectorFrame& frame, const Batch& batch, std::size_t k)
       hn::Load(d, batch.points[first + 1] + k), hn::Load(d, batch.points[first + 2] + k));
   };
   return { corner(0), corner(3), corner(6) };
-}
-
-/// CameraFrame::x() and y() of pixels that are steps away from others.
-V onPlane(V pixels, int steps, double center, double size)
-{
-  const V moved = hn::Add(pixels, hn::Set(d, steps));
-  return hn::Mul(hn::Sub(hn::Add(moved, hn::Set(d, 0.5)), hn::Set(d, center)), hn::Set(d, size));
-}
-
-void offer(const VectorHit& hit, const SmallBatch& batch, std::size_t k, std::size_t ray,
-  std::size_t used, CellRays& rays)
-{
-  HWY_ALIGN double depths[lanesAtMost];
-  std::uint8_t bits[8];
-  hn::StoreMaskBits(d, hit.mask, bits);
-  hn::Store(hit.depth, d, depths);
-  for (std::uint32_t left = bits[0] & ((1u << used) - 1u); left != 0; left &= left - 1)
-  {
-    const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-    rays.offer(batch.firstRays[k + lane] + ray, depths[lane], batch.triangles[k + lane]);
-  }
-}
-
-void CastSmall(
-  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays)
-{
-  const VectorFrame vectorFrame(frame);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); k += lanes)
-  {
-    const std::size_t used = std::min<std::size_t>(lanes, batch.count - k);
-    const Corners t = corners(vectorFrame, batch, k);
-    const V i = hn::Load(d, batch.i + k), j = hn::Load(d, batch.j + k);
-    Sheared x[CastBatches::side];
-    for (int dx = 0; dx < width; ++dx)
-    {
-      x[dx] =
-        shear(t.a.x, t.b.x, t.c.x, t.a.w, t.b.w, t.c.w, onPlane(i, dx, frame.centerX, frame.pixel));
-    }
-    for (int dy = 0; dy < height; ++dy)
-    {
-      const Sheared y =
-        shear(t.a.y, t.b.y, t.c.y, t.a.w, t.b.w, t.c.w, onPlane(j, dy, frame.centerY, frame.pixel));
-      for (int dx = 0; dx < width; ++dx)
-      {
-        const VectorHit hit = edges(x[dx], y, t.a.z, t.b.z, t.c.z);
-        if (!hn::AllFalse(d, hit.mask))
-        {
-          offer(hit, batch, k, static_cast<std::size_t>(dy) * rays.stride() + dx, used, rays);
-        }
-      }
-    }
-  }
 }
 
 /// One triangle, in the camera's frame, against the rays of a box.
@@ -200,10 +147,9 @@ void castColumns(const Large& t, int column, const double* rows[3], CellRays& ra
 void castOne(const Large& t, std::vector<double>& rowMemory, CellRays& rays)
 {
   // The sheared y of the three vertices, by row.
-  const std::size_t padded = (t.box.j1 + CellRays::padding - 1) / CellRays::padding *
-    static_cast<std::size_t>(CellRays::padding);
-  rowMemory.resize(3 * padded);
-  double* rows[3] = { rowMemory.data(), rowMemory.data() + padded, rowMemory.data() + 2 * padded };
+  const std::size_t stride = rays.stride();
+  rowMemory.resize(3 * stride);
+  double* rows[3] = { rowMemory.data(), rowMemory.data() + stride, rowMemory.data() + 2 * stride };
   const V aw = hn::Set(d, t.a.w), bw = hn::Set(d, t.b.w), cw = hn::Set(d, t.c.w);
   const auto lane = static_cast<int>(lanes);
   for (int j = t.box.j0 / lane * lane; j < t.box.j1; j += lane)
@@ -221,7 +167,7 @@ void castOne(const Large& t, std::vector<double>& rowMemory, CellRays& rays)
   }
 }
 
-void CastLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays)
+void CastBatchOfTriangles(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
 {
   const VectorFrame vectorFrame(frame);
   thread_local std::vector<double> rowMemory;
@@ -258,18 +204,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(CastSmall);
-HWY_EXPORT(CastLarge);
+HWY_EXPORT(CastBatchOfTriangles);
 
-void castSmall(
-  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays)
+void castBatch(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
 {
-  HWY_DYNAMIC_DISPATCH(CastSmall)(frame, batch, width, height, rays);
-}
-
-void castLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays)
-{
-  HWY_DYNAMIC_DISPATCH(CastLarge)(frame, batch, rays);
+  HWY_DYNAMIC_DISPATCH(CastBatchOfTriangles)(frame, batch, rays);
 }
 }
 #endif

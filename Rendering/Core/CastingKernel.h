@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief intersect() for many triangles or many rays at a time
+ * @brief intersect() for many rays at a time
  *
- * Small boxes: several triangles at a time, each with one of the rays of its box.
- * Large boxes: one triangle after the other, with several rays of a row at a time.
- * Lane by lane the arithmetic is that of CameraFrame::toFrame() and intersect(), in
- * the same order, and so are the bits. What is left out cannot matter: the box test
- * where the box is known to be exact, and the test that the sum is not zero, which
- * the depth 0 / 0 fails anyway.
+ * One triangle after the other, with several rays of a row at a time. Lane by lane
+ * the arithmetic is that of CameraFrame::toFrame() and intersect(), in the same
+ * order, and so are the bits. What is left out cannot matter: the box test where the
+ * box is known to be exact, and the test that the sum is not zero, which the depth
+ * 0 / 0 fails anyway.
  */
 #ifndef lambent_CastingKernel_h
 #define lambent_CastingKernel_h
@@ -19,11 +18,7 @@
 
 namespace lambent
 {
-/// All boxes are width x height rays.
-void castSmall(
-  const CameraFrame& frame, const SmallBatch& batch, int width, int height, CellRays& rays);
-
-void castLarge(const CameraFrame& frame, const LargeBatch& batch, CellRays& rays);
+void castBatch(const CameraFrame& frame, const CastBatch& batch, CellRays& rays);
 }
 
 #endif

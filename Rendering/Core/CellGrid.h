@@ -18,6 +18,7 @@
 
 #include "Window.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace lambent
@@ -53,6 +54,16 @@ public:
       first += columns * rows;
       this->Total = first;
     }
+  }
+
+  /// A finest cell's rays are numbered row by row, this many a row: a multiple of
+  /// the widest vector that kernels use.
+  int rayStride() const { return std::max(8, 1 << this->Levels[0].shift); }
+  /// The number of ray (i, j) in its finest cell.
+  std::uint32_t rayInCell(int i, int j) const
+  {
+    const int mask = (1 << this->Levels[0].shift) - 1;
+    return static_cast<std::uint32_t>((j & mask) * this->rayStride() + (i & mask));
   }
 
   const Window& whole() const { return this->Whole; }

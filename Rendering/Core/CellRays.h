@@ -8,74 +8,92 @@
 #define lambent_CellRays_h
 
 #include "CameraFrame.h"
+#include "CellGrid.h"
 #include "Window.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace lambent
 {
 /**
- * Depth and triangle of the nearest hit for each ray of a cell. Of two hits the
- * one with the smaller depth is kept, at the same depth the one with the smaller
- * number, so that the order in which they come does not matter.
+ * Two hits for each ray of a cell: the nearest of those whose depth is known, and
+ * the nearest of those of which only a range of depths is. Casting keeps both and
+ * settles in the end which of them is nearer.
  *
- * Rows are padded to a multiple of the widest vector that kernels use, and the
- * numbers of triangles are as wide as the depths, for their sake.
+ * Of two hits the one with the smaller depth is kept, at the same depth the one with
+ * the smaller number of its triangle, so that the order in which they come does not
+ * matter.
  */
 class CellRays
 {
 public:
-  /// What is hit where nothing is.
+  /// The triangle where nothing is hit.
   static constexpr std::int64_t none = -1;
-  static constexpr int padding = 8;
 
   /// Start anew, with nothing hit. Windows count from the image's part that is made.
-  void reset(const CameraFrame& frame, const Window& image, const Window& rays)
+  void reset(
+    const CameraFrame& frame, const Window& image, const CellGrid& grid, const Window& rays)
   {
     this->Rays = rays;
-    this->Stride = (rays.width() + padding - 1) / padding * padding;
+    this->Stride = grid.rayStride();
     this->Xs.resize(this->Stride);
-    this->Ys.resize((rays.height() + padding - 1) / padding * padding);
-    for (int i = 0; i < this->Stride; ++i)
+    this->Ys.resize(this->Stride);
+    for (int k = 0; k < this->Stride; ++k)
     {
-      this->Xs[i] = frame.x(image.i0 + rays.i0 + i);
-    }
-    for (std::size_t j = 0; j < this->Ys.size(); ++j)
-    {
-      this->Ys[j] = frame.y(image.j0 + rays.j0 + static_cast<int>(j));
+      this->Xs[k] = frame.x(image.i0 + rays.i0 + k);
+      this->Ys[k] = frame.y(image.j0 + rays.j0 + k);
     }
     const std::size_t size = static_cast<std::size_t>(this->Stride) * rays.height();
     this->Depths.assign(size, std::numeric_limits<double>::infinity());
     this->Triangles.assign(size, none);
+    this->Ranges.assign(size, Range());
   }
 
   const Window& window() const { return this->Rays; }
+  std::size_t size() const { return this->Depths.size(); }
   int stride() const { return this->Stride; }
 
   /// The rays' places on the image plane, by column and by row of the cell.
   const double* xs() const { return this->Xs.data(); }
   const double* ys() const { return this->Ys.data(); }
+  double x(std::size_t ray) const { return this->Xs[ray % this->Stride]; }
+  double y(std::size_t ray) const { return this->Ys[ray / this->Stride]; }
+
+  /// Hits of known depth, by ray.
   double* depths() { return this->Depths.data(); }
   std::int64_t* triangles() { return this->Triangles.data(); }
   const std::int64_t* triangles() const { return this->Triangles.data(); }
 
-  void offer(std::size_t index, double depth, std::int64_t triangle)
+  void offer(std::size_t ray, double depth, std::int64_t triangle)
   {
-    double& nearest = this->Depths[index];
-    if (depth < nearest || (depth == nearest && triangle < this->Triangles[index]))
+    double& nearest = this->Depths[ray];
+    if (depth < nearest || (depth == nearest && triangle < this->Triangles[ray]))
     {
       nearest = depth;
-      this->Triangles[index] = triangle;
+      this->Triangles[ray] = triangle;
     }
   }
 
-  /// Offer all hits of the same cell's rays at other triangles.
+  /// A hit with a depth from near to far.
+  struct Range
+  {
+    float near = std::numeric_limits<float>::infinity();
+    float far = std::numeric_limits<float>::infinity();
+    std::int64_t triangle = none;
+  };
+  Range* ranges() { return this->Ranges.data(); }
+
+  /// Offer all hits of known depth of the same rays.
   void merge(const CellRays& other)
   {
-    for (std::size_t k = 0; k < this->Triangles.size(); ++k)
+    for (std::size_t ray = 0; ray < this->size(); ++ray)
     {
-      this->offer(k, other.Depths[k], other.Triangles[k]);
+      if (other.Triangles[ray] != none)
+      {
+        this->offer(ray, other.Depths[ray], other.Triangles[ray]);
+      }
     }
   }
 
@@ -85,6 +103,7 @@ private:
   std::vector<double> Xs, Ys;
   std::vector<double> Depths;
   std::vector<std::int64_t> Triangles;
+  std::vector<Range> Ranges;
 };
 }
 

@@ -17,28 +17,33 @@ constexpr std::size_t emptyCellWeight = 8;
 
 /// Calls body(bins, level, bin) for the bins of a cell and of those above it.
 template <typename Body>
-void forBins(const CellGrid& grid, const std::vector<Bins>& bins, int cell, Body&& body)
+void forBins(
+  const CellGrid& grid, const std::vector<const Bins*>& bins, int cell, Body&& body)
 {
   const Window rays = grid.window(cell);
   for (const CellGrid::Level& level : grid.levels())
   {
-    for (const Bins& workerBins : bins)
+    for (const Bins* workerBins : bins)
     {
-      body(workerBins, level, level.cellAt(rays.i0, rays.j0));
+      body(*workerBins, level, level.cellAt(rays.i0, rays.j0));
     }
   }
 }
 }
 
-std::size_t Cells::countPages(const std::vector<Bins>& bins, int cell) const
+std::size_t Cells::countPages(const std::vector<const Bins*>& bins, int cell) const
 {
   std::size_t count = 0;
   forBins(this->Grid, bins, cell,
-    [&count](const Bins& all, const CellGrid::Level&, int bin) { count += all.pageCount(bin); });
+    [&](const Bins& all, const CellGrid::Level& level, int bin)
+    {
+      count += all.triangles().pageCount(bin);
+      count += this->Grid.isFinest(level) ? all.hits().pageCount(bin) : 0;
+    });
   return count;
 }
 
-void Cells::plan(const std::vector<Bins>& bins)
+void Cells::plan(const std::vector<const Bins*>& bins)
 {
   const std::size_t workers = this->Scratch.size();
   this->Tasks.clear();
@@ -58,7 +63,8 @@ void Cells::plan(const std::vector<Bins>& bins)
     {
       this->Splits.push_back(std::make_unique<SplitCell>());
       this->Splits.back()->remaining = static_cast<int>(shares);
-      this->Splits.back()->rays.reset(this->Frame, this->Image, this->Grid.window(cell));
+      this->Splits.back()->rays.reset(
+        this->Frame, this->Image, this->Grid, this->Grid.window(cell));
     }
     if (shares == 0)
     {
@@ -82,14 +88,14 @@ void Cells::plan(const std::vector<Bins>& bins)
 }
 
 void Cells::run(
-  std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel, bool isLastRound)
+  std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel, bool isLastRound)
 {
   if (!isLastRound && this->Kept.empty())
   {
     this->Kept.resize(this->Grid.cellCount());
     for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
     {
-      this->Kept[cell].reset(this->Frame, this->Image, this->Grid.window(cell));
+      this->Kept[cell].reset(this->Frame, this->Image, this->Grid, this->Grid.window(cell));
     }
   }
   forEach(parallel, this->Batches[batch], this->Batches[batch + 1],
@@ -104,7 +110,7 @@ void Cells::run(
     });
 }
 
-void Cells::run(const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound)
+void Cells::run(const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound)
 {
   if (task.shares == 0 && this->Kept.empty())
   {
@@ -112,7 +118,7 @@ void Cells::run(const Task& task, const std::vector<Bins>& bins, Memory& memory,
     return;
   }
   CellRays* rays = &memory.rays;
-  rays->reset(this->Frame, this->Image, this->Grid.window(task.cell));
+  rays->reset(this->Frame, this->Image, this->Grid, this->Grid.window(task.cell));
   this->cast(task, bins, memory);
   if (task.split >= 0)
   {
@@ -136,31 +142,38 @@ void Cells::run(const Task& task, const std::vector<Bins>& bins, Memory& memory,
   }
 }
 
-void Cells::cast(const Task& task, const std::vector<Bins>& bins, Memory& memory) const
+void Cells::cast(
+  const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const
 {
   int number = 0;
+  const auto isMine = [&]() { return number++ % task.shares == task.share; };
   forBins(this->Grid, bins, task.cell,
     [&](const Bins& all, const CellGrid::Level& level, int bin)
     {
-      for (const BinPage* page = all.pages(bin); page; page = page->next)
+      for (const Page<BinEntry>* page = all.triangles().pages(bin); page; page = page->next)
       {
-        if (number++ % task.shares != task.share)
+        if (isMine())
         {
-          continue;
+          this->Kernels ? this->Caster.cast(*page, level, memory.rays, memory.triangles)
+                        : this->Caster.castPlainly(*page, level, memory.rays);
         }
-        if (this->Kernels)
+      }
+      if (!this->Grid.isFinest(level))
+      {
+        return;
+      }
+      for (const Page<Fragment>* page = all.hits().pages(bin); page; page = page->next)
+      {
+        if (isMine())
         {
-          this->Caster.cast(*page, level, memory.rays, memory.triangles);
-        }
-        else
-        {
-          this->Caster.castPlainly(*page, level, memory.rays);
+          this->Caster.addHits(*page, memory.rays);
         }
       }
     });
   if (this->Kernels)
   {
     this->Caster.flush(memory.rays, memory.triangles);
+    this->Caster.settle(memory.rays, task.shares > 1 || !this->Kept.empty());
   }
 }
 

@@ -37,7 +37,7 @@ public:
   }
 
   /// Share out the cells with the triangles that are in the bins now.
-  void plan(const std::vector<Bins>& bins);
+  void plan(const std::vector<const Bins*>& bins);
 
   /// The number of batches that the plan has, each about equally much work.
   std::size_t batchCount() const { return this->Batches.size() - 1; }
@@ -45,7 +45,7 @@ public:
   /// Cast one batch. Cells are painted in the last round, before that they keep
   /// their hits for the next one.
   void run(
-    std::size_t batch, const std::vector<Bins>& bins, const Parallel& parallel, bool isLastRound);
+    std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel, bool isLastRound);
 
 private:
   struct Task
@@ -64,13 +64,13 @@ private:
   struct Memory
   {
     CellRays rays;
-    CastBatches triangles;
+    CastBatch triangles;
     ShadeBatch hits;
   };
 
-  std::size_t countPages(const std::vector<Bins>& bins, int cell) const;
-  void run(const Task& task, const std::vector<Bins>& bins, Memory& memory, bool isLastRound);
-  void cast(const Task& task, const std::vector<Bins>& bins, Memory& memory) const;
+  std::size_t countPages(const std::vector<const Bins*>& bins, int cell) const;
+  void run(const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
+  void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
   void paint(const CellRays& rays, Memory& memory) const;
 
   const CameraFrame& Frame;

@@ -51,7 +51,7 @@ hn::Vec<Halves> position(const PointLattice::Axis& axis, V u, int shift)
 
 template <typename Coordinate>
 void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions)
+  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
 {
   const VectorFrame frame(lattice.frame());
   const auto* coordinates = static_cast<const Coordinate*>(points.data);
@@ -67,27 +67,30 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
     const V row = hn::Add(hn::Mul(v.y, perUnit), hn::Set(d, lattice.rows().origin));
     hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
       position(lattice.rows(), row, lattice.shift()), Halves(), &positions[p].column);
+    const hn::Rebind<float, D> df;
+    hn::StoreInterleaved3(hn::DemoteTo(df, column), hn::DemoteTo(df, row), hn::DemoteTo(df, v.z),
+      df, &screen[p].u);
     const M isPlaced = hn::And(hn::And(hn::Gt(v.w, hn::Zero(d)), hn::Lt(hn::Abs(v.z), infinity)),
       hn::And(hn::Eq(column, column), hn::Eq(row, row)));
     if (!hn::AllTrue(d, isPlaced))
     {
       for (std::size_t k = p; k < p + lanes; ++k)
       {
-        positions[k] = lattice.locate(points[k]);
+        positions[k] = lattice.locate(points[k], screen[k]);
       }
     }
   }
   for (; p < end; ++p)
   {
-    positions[p] = lattice.locate(points[p]);
+    positions[p] = lattice.locate(points[p], screen[p]);
   }
 }
 
 void LocatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions)
+  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
 {
-  points.isDouble ? locate<double>(lattice, points, begin, end, positions)
-                  : locate<float>(lattice, points, begin, end, positions);
+  points.isDouble ? locate<double>(lattice, points, begin, end, positions, screen)
+                  : locate<float>(lattice, points, begin, end, positions, screen);
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -183,9 +186,9 @@ HWY_EXPORT(LocatePoints);
 HWY_EXPORT(FindBoxes);
 
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions)
+  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
 {
-  HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions);
+  HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions, screen);
 }
 
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes)

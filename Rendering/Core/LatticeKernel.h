@@ -14,7 +14,7 @@ namespace lambent
 {
 /// PointLattice::locate() for the points [begin, end).
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions);
+  std::size_t end, LatticePosition* positions, ScreenPoint* screen);
 
 /// The boxes of some triangles.
 struct LatticeBoxes

@@ -40,6 +40,12 @@ struct LatticePosition
   static constexpr std::uint16_t notFinite = 0xFFFE;
 };
 
+/// Where a point is projected, in rays from the window's first, and its depth.
+struct ScreenPoint
+{
+  float u, v, depth;
+};
+
 class PointLattice
 {
 public:
@@ -58,7 +64,22 @@ public:
   const Axis& rows() const { return this->Rows; }
   int shift() const { return this->Shift; }
 
-  LatticePosition locate(const Vec3& point) const;
+  /// screen: of no use where the position is "anywhere" or "not finite".
+  LatticePosition locate(const Vec3& point, ScreenPoint& screen) const;
+  LatticePosition locate(const Vec3& point) const
+  {
+    ScreenPoint unused;
+    return this->locate(point, unused);
+  }
+
+  /// By how much a screen point on or near the image can differ from the exact
+  /// projection, in rays.
+  float screenError() const
+  {
+    const double largest = 64.0 + std::max(this->Columns.count, this->Rows.count);
+    return static_cast<float>(
+      std::ldexp(largest, -24) + this->Columns.margin + this->Rows.margin);
+  }
 
   /// Whether positions mean anything: not where the window lies so far from the
   /// image's centre that rounding could move a position by a ray.

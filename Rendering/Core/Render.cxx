@@ -3,7 +3,6 @@
 #include "Render.h"
 
 #include "Cells.h"
-#include "LatticeKernel.h"
 
 namespace lambent
 {
@@ -28,11 +27,12 @@ public:
     , Frame(scene.camera, image.width, image.height)
     , Lattice(this->Frame, image.part)
     , Positions(new LatticePosition[this->Triangles.pointCount()])
+    , Screen(new ScreenPoint[this->Triangles.pointCount()])
     , Grid(image.part.width(), image.part.height(), settings.cellShift)
-    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
-        settings.culling, settings.kernels)
-    , WorkerDefects(parallel.workers())
-    , Caster(this->Triangles, this->Frame, this->Grid, image.part)
+    , Caster(this->Triangles, this->Frame, this->Grid)
+    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(),
+        this->Screen.get(), this->Grid, this->Caster, image.part, settings.culling,
+        settings.kernels)
     , Shades(scene, this->Triangles, this->Frame)
     , Painter(scene, this->Triangles, this->Shades, image)
     , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
@@ -40,7 +40,8 @@ public:
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
-      this->WorkerBins.emplace_back(this->Grid);
+      this->Filled.push_back(std::make_unique<BinningMemory>(this->Grid));
+      this->FilledBins.push_back(&this->Filled.back()->bins);
     }
   }
 
@@ -97,14 +98,15 @@ private:
       [this](const Mesh::Part& part, std::size_t from, std::size_t to)
       {
         LatticePosition* positions = this->Positions.get() + part.firstPoint;
+        ScreenPoint* screen = this->Screen.get() + part.firstPoint;
         if (this->How.kernels)
         {
-          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions);
+          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions, screen);
           return;
         }
         for (std::size_t p = from; p < to; ++p)
         {
-          positions[p] = this->Lattice.locate(part.surface->points[p]);
+          positions[p] = this->Lattice.locate(part.surface->points[p], screen[p]);
         }
       });
   }
@@ -115,21 +117,22 @@ private:
   {
     const std::size_t count = this->Triangles.triangleCount();
     std::size_t pages = 0;
-    for (Bins& bins : this->WorkerBins)
+    for (const auto& memory : this->Filled)
     {
-      bins.clear();
+      memory->bins.clear();
     }
     while (next < count && pages < this->How.binPages)
     {
       const std::size_t end = std::min(count, next + batchSize);
       this->forChunks(next, end,
         [this](int worker, std::size_t from, std::size_t to)
-        { this->Binner.run(from, to, this->WorkerBins[worker], this->WorkerDefects[worker]); });
+        { this->Binner.run(from, to, *this->Filled[worker]); });
       next = end;
       pages = 0;
-      for (const Bins& bins : this->WorkerBins)
+      for (const auto& memory : this->Filled)
       {
-        pages += bins.pageCount();
+        this->Binner.flush(*memory);
+        pages += memory->bins.pageCount();
       }
       if (!this->goOn(pointsShare + binningShare * next / count))
       {
@@ -141,11 +144,11 @@ private:
 
   bool processCells(bool isLastRound)
   {
-    this->CellWork.plan(this->WorkerBins);
+    this->CellWork.plan(this->FilledBins);
     const std::size_t batches = this->CellWork.batchCount();
     for (std::size_t batch = 0; batch < batches; ++batch)
     {
-      this->CellWork.run(batch, this->WorkerBins, this->Workers, isLastRound);
+      this->CellWork.run(batch, this->FilledBins, this->Workers, isLastRound);
       constexpr double before = pointsShare + binningShare;
       if (isLastRound && !this->goOn(before + (1.0 - before) * (batch + 1) / batches))
       {
@@ -159,9 +162,9 @@ private:
   MeshDefects defects() const
   {
     MeshDefects all;
-    for (const MeshDefects& defects : this->WorkerDefects)
+    for (const auto& memory : this->Filled)
     {
-      all.merge(defects);
+      all.merge(memory->defects);
     }
     return all;
   }
@@ -173,11 +176,12 @@ private:
   const CameraFrame Frame;
   const PointLattice Lattice;
   const std::unique_ptr<LatticePosition[]> Positions;
+  const std::unique_ptr<ScreenPoint[]> Screen;
   const CellGrid Grid;
-  const Binning Binner;
-  std::vector<Bins> WorkerBins;
-  std::vector<MeshDefects> WorkerDefects;
   const Casting Caster;
+  const Binning Binner;
+  std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one a worker
+  std::vector<const Bins*> FilledBins;
   const Shader Shades;
   const Painting Painter;
   Cells CellWork;

@@ -16,8 +16,8 @@
  * Should the bins of step 3 fill the memory they are given, step 4 is done for
  * what they hold, the cells keep their hits, and step 3 goes on.
  *
- * Beside scene and image this takes 4 bytes a point, and up to 32 bytes for each
- * triangle that has a ray in its box, at most Settings::binPages pages of them.
+ * Beside scene and image this takes 16 bytes a point, and 16 bytes for each hit or up
+ * to 32 for each larger triangle, at most Settings::binPages pages of them.
  */
 #ifndef lambent_Render_h
 #define lambent_Render_h

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief which rays small triangles cover, decided in float where float can
+ *
+ * Most triangles of a fine mesh cover a ray or none. For these, exact arithmetic is
+ * spent only where it is needed. With the projections u, v of the corners in rays,
+ * as floats, the edge function of corners a, b at the ray p is
+ *
+ *     E = (b_u - a_u) (p_v - a_v) - (b_v - a_v) (p_u - a_u)
+ *
+ * and has the sign of the edge function in intersect() wherever it is farther from
+ * zero than its error. All three certainly of one sign: hit. Two certainly of
+ * different signs: no hit. Anything else: uncertain, and left to intersect().
+ *
+ * The error bound. d: by how much a float u or v can differ from the exact
+ * projection, half a unit in the last place of the largest coordinate, plus the
+ * rounding of the projection itself. w, h: the triangle's extent, as floats. The ray
+ * lies in the triangle's box (boxes here are exact), so |p - a| is at most the extent
+ * plus d. Then
+ *
+ * - moving the corners by d changes E by at most 2d |p_v - a_v| + d |b_u - a_u| + 2d
+ *   |p_u - a_u| + d |b_v - a_v| and second-order terms: at most 3d (w + h) + 8 d^2;
+ * - evaluating it rounds each of the four differences, both products and the result:
+ *   at most 8 units of 2^-24 w h;
+ * - intersect() computes its edge functions in binary64, in coordinates that are those
+ *   of the rays but for a factor, with errors that are as large relative to d as
+ *   2^-53 is to 2^-24.
+ *
+ * 4 d (w + h + 2 d) + 2^-20 w h is larger than the sum of the three. Triangles that
+ * are much larger than their box (they reach beyond the image) are always uncertain.
+ *
+ * The depth of a hit lies between those of the corners, which is all that is kept of
+ * it: see CellRays.
+ */
+#ifndef lambent_Coverage_h
+#define lambent_Coverage_h
+
+#include "PointLattice.h"
+
+#include <cstdint>
+
+namespace lambent
+{
+/// Triangles whose boxes are exact and all of the same few rays, before the eye, of
+/// surfaces of which both sides are seen.
+struct SmallTriangles
+{
+  static constexpr int capacity = 64;
+  /// Boxes of at most so many rays along an axis are small.
+  static constexpr int side = 4;
+
+  int count = 0;
+  std::uint32_t triangles[capacity];
+  /// The lower left ray of the box.
+  std::int32_t i[capacity], j[capacity];
+  /// The corners: au, av, depth of a, bu, ...
+  alignas(64) float points[9][capacity];
+};
+
+/// The rays that they cover.
+struct CoveredRays
+{
+  // Each of a batch's triangles with each ray of its box, and room for a vector.
+  static constexpr int capacity =
+    SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
+
+  /// Rays are i + 2^16 j.
+  static int column(std::uint32_t ray) { return static_cast<int>(ray & 0xFFFF); }
+  static int row(std::uint32_t ray) { return static_cast<int>(ray >> 16); }
+
+  int certain = 0;
+  std::uint32_t triangles[capacity], rays[capacity];
+  float near[capacity], far[capacity];
+
+  int uncertain = 0;
+  std::uint32_t uncertainTriangles[capacity], uncertainRays[capacity];
+};
+
+/// How much wider than its corners' depths, as floats, a triangle's range of depths is
+/// taken: more than the rounding of the corners and of the depth that is computed.
+constexpr float depthSlack = 1.0f / (1 << 22);
+
+/// All boxes are width x height rays; error is d above. Results are put in anew.
+void findCoverage(
+  const SmallTriangles& batch, int width, int height, float error, CoveredRays& covered);
+}
+
+#endif
