@@ -50,6 +50,12 @@ need_build() {
   need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
 }
 
+need_benchmarks() {
+  need "the benchmarks (Embree, Google Benchmark)" libembree-dev libbenchmark-dev
+  need "VTK's OpenGL without a screen (Xvfb, llvmpipe)" xvfb libgl1-mesa-dri
+  need "counting instructions" valgrind
+}
+
 # Installs what need() found missing.
 install_missing() {
   [ -n "$missing" ] || return 0
@@ -71,7 +77,8 @@ install_missing() {
   done
 }
 
-# The release build, in $build: configure, then compile [OPTION OF cmake --build...].
+# The release build, in $build: configure [OPTION OF cmake...], then compile [OPTION OF cmake
+# --build...].
 configure() {
   cache="$build/CMakeCache.txt"
   # A build tree that came along with a copied or renamed folder still points to the old place.
@@ -79,11 +86,19 @@ configure() {
     say "$build was made for another folder; starting anew"
     rm -rf "$build"
   fi
-  set -- -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPython3_EXECUTABLE=/usr/bin/python3
+  set -- -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPython3_EXECUTABLE=/usr/bin/python3 \
+    "$@"
   [ -f "$cache" ] || set -- "$@" -G Ninja
   mkdir -p "$build"
   : >"$build/configure.log"
   quietly "$build/configure.log" cmake "$@"
+}
+
+# The benchmarks have a build of their own, of nothing else.
+configure_benchmarks() {
+  build="$root/build/benchmarks"
+  configure -DLAMBENT_BUILD_BENCHMARKS=ON -DLAMBENT_BUILD_TESTING=OFF \
+    -DLAMBENT_BUILD_EXAMPLES=OFF -DLAMBENT_WRAP_PYTHON=OFF
 }
 
 compile() {

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief all contests of one scene, in one process, in turn
+ *
+ * Each contest is run once to warm up, which also tells how many repetitions the time
+ * that is to be spent allows. A repetition is one more run to warm up, unless that would
+ * take long, and one that counts. Google Benchmark puts the repetitions of all contests
+ * into random order, so that whatever else the machine does meets all of them alike.
+ */
+#include "Agreement.h"
+#include "Memory.h"
+#include "Options.h"
+#include "Peers.h"
+#include "ThreadLimit.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+
+namespace
+{
+constexpr int nothingToDo = 77; ///< the exit status of a scene whose file is missing
+constexpr double tooLongToWarmUp = 0.4;
+
+/// For who reads the file of --benchmark_out.
+class SilentReporter : public benchmark::BenchmarkReporter
+{
+public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>&) override {}
+};
+
+int repetitionsFor(double seconds, const Options& options)
+{
+  const double runs = seconds < tooLongToWarmUp ? 2 * seconds : seconds;
+  return std::clamp(static_cast<int>(options.seconds / runs), options.fewest, options.most);
+}
+
+void add(const Contest& contest, const std::string& scene, const Options& options)
+{
+  const double cold = contest.run();
+  const double expected = cold < tooLongToWarmUp ? contest.run() : cold;
+  const auto repetition = [run = contest.run, expected](benchmark::State& state)
+  {
+    for (auto _ : state)
+    {
+      if (expected < tooLongToWarmUp)
+      {
+        run();
+      }
+      state.SetIterationTime(run());
+    }
+  };
+  benchmark::RegisterBenchmark((scene + "/" + contest.name).c_str(), repetition)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1)
+    ->Repetitions(repetitionsFor(expected, options));
+}
+
+bool anyStartsWith(const std::vector<Contest>& contests, const std::string& start)
+{
+  return std::any_of(contests.begin(), contests.end(),
+    [&](const Contest& contest) { return contest.name.find(start) != std::string::npos; });
+}
+
+void describe(const BenchmarkScene& scene, const std::vector<Contest>& contests, Peers& peers,
+  const Options& options)
+{
+  benchmark::AddCustomContext("scene", scene.name);
+  benchmark::AddCustomContext("triangles", std::to_string(scene.mesh->GetNumberOfPolys()));
+  benchmark::AddCustomContext(
+    "size", std::to_string(scene.width) + "x" + std::to_string(scene.height));
+  benchmark::AddCustomContext("threads", std::to_string(options.threads));
+  const bool withEmbree = anyStartsWith(contests, "embree/");
+  const bool withOpenGL = anyStartsWith(contests, "opengl/");
+  if (withEmbree)
+  {
+    benchmark::AddCustomContext("packet", std::to_string(peers.embree().raysAtOnce()));
+  }
+  if (withOpenGL)
+  {
+    benchmark::AddCustomContext("opengl", peers.opengl().device());
+  }
+  for (const auto& peer : comparePictures(peers, withEmbree, withOpenGL, options.pictures))
+  {
+    benchmark::AddCustomContext("differing/" + peer.first, std::to_string(peer.second));
+  }
+}
+
+int measureMemory(const BenchmarkScene& scene, Peers& peers, const Options& options)
+{
+  const std::vector<Contest> contests = peers.contests(options.memory);
+  if (contests.size() != 1)
+  {
+    throw std::invalid_argument("--memory names one contest");
+  }
+  std::cout << peakMemory(contests[0], 3.0 * scene.width * scene.height) << std::endl;
+  return EXIT_SUCCESS;
+}
+
+int run(const Options& options, int argc, char** argv)
+{
+  const ThreadLimit limit(options.threads);
+  BenchmarkScene scene;
+  makeScene(options.scene, options.data, options.cache, scene);
+  Peers peers(scene, options.threads);
+  if (!options.memory.empty())
+  {
+    return measureMemory(scene, peers, options);
+  }
+  const std::vector<Contest> contests = peers.contests(options.contests);
+  describe(scene, contests, peers, options);
+  for (const Contest& contest : contests)
+  {
+    add(contest, scene.name, options);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+  {
+    return EXIT_FAILURE;
+  }
+  SilentReporter silent;
+  benchmark::RunSpecifiedBenchmarks(options.quiet ? &silent : nullptr);
+  benchmark::Shutdown();
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const Options options = takeOptions(argc, argv);
+    if (options.list)
+    {
+      for (const std::string& name : sceneNames())
+      {
+        std::cout << name << "\n";
+      }
+      return EXIT_SUCCESS;
+    }
+    return run(options, argc, argv);
+  }
+  catch (const SceneMissing& missing)
+  {
+    std::cerr << "skipped: " << missing.message << "\n";
+    return nothingToDo;
+  }
+  catch (const std::exception& failure)
+  {
+    std::cerr << "error: " << failure.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

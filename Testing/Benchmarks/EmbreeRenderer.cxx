@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EmbreeRenderer.h"
+
+#include "EmbreeTile.h"
+#include "Stopwatch.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+const char* nameOf(TreeQuality quality)
+{
+  constexpr const char* names[] = { "low", "medium", "high" };
+  return names[static_cast<int>(quality)];
+}
+
+const char* nameOf(RayGrouping grouping)
+{
+  constexpr const char* names[] = { "single", "packets", "stream", "packet-stream" };
+  return names[static_cast<int>(grouping)];
+}
+
+struct EmbreeRenderer::Internals
+{
+  explicit Internals(const BenchmarkScene& scene)
+    : mesh(scene.mesh)
+    , view(scene.view())
+    , width(scene.width)
+    , height(scene.height)
+  {
+  }
+
+  const EmbreeMesh mesh;
+  const EmbreeView view;
+  const int width, height;
+  RTCDevice device = rtcNewDevice(nullptr);
+  RTCScene trees[3] = {};
+
+  bool hasWidePackets() const
+  {
+    return rtcGetDeviceProperty(this->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+  }
+
+  template <int N>
+  void traceTiles(RTCScene tree, RayGrouping grouping, unsigned char* bytes) const;
+};
+
+namespace
+{
+RTCBuildQuality embreeQuality(TreeQuality quality)
+{
+  constexpr RTCBuildQuality qualities[] = { RTC_BUILD_QUALITY_LOW, RTC_BUILD_QUALITY_MEDIUM,
+    RTC_BUILD_QUALITY_HIGH };
+  return qualities[static_cast<int>(quality)];
+}
+}
+
+//------------------------------------------------------------------------------
+EmbreeRenderer::EmbreeRenderer(const BenchmarkScene& scene)
+  : Internal(new Internals(scene))
+{
+}
+
+EmbreeRenderer::~EmbreeRenderer()
+{
+  for (TreeQuality quality : treeQualities)
+  {
+    this->release(quality);
+  }
+  rtcReleaseDevice(this->Internal->device);
+}
+
+int EmbreeRenderer::raysAtOnce() const
+{
+  return this->Internal->hasWidePackets() ? 16 : 8;
+}
+
+void EmbreeRenderer::release(TreeQuality quality)
+{
+  RTCScene& tree = this->Internal->trees[static_cast<int>(quality)];
+  if (tree)
+  {
+    rtcReleaseScene(tree);
+    tree = nullptr;
+  }
+}
+
+double EmbreeRenderer::build(TreeQuality quality)
+{
+  this->release(quality);
+  const EmbreeMesh& mesh = this->Internal->mesh;
+  const Stopwatch stopwatch;
+  RTCGeometry geometry = rtcNewGeometry(this->Internal->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+    mesh.points.data(), 0, 3 * sizeof(float), mesh.pointCount());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+    mesh.corners.data(), 0, 3 * sizeof(std::uint32_t), mesh.triangleCount());
+  rtcSetGeometryBuildQuality(geometry, embreeQuality(quality));
+  rtcCommitGeometry(geometry);
+  RTCScene tree = rtcNewScene(this->Internal->device);
+  rtcSetSceneBuildQuality(tree, embreeQuality(quality));
+  rtcAttachGeometry(tree, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(tree);
+  this->Internal->trees[static_cast<int>(quality)] = tree;
+  return stopwatch.seconds();
+}
+
+//------------------------------------------------------------------------------
+template <int N>
+void EmbreeRenderer::Internals::traceTiles(
+  RTCScene tree, RayGrouping grouping, unsigned char* bytes) const
+{
+  constexpr int side = EmbreeTile<N>::side;
+  const int across = (this->width + side - 1) / side, up = (this->height + side - 1) / side;
+  const auto traceRange = [&](const tbb::blocked_range<int>& range)
+  {
+    const FlushDenormals flush;
+    EmbreeTile<N> tile(this->mesh, this->view, this->width, this->height, bytes);
+    for (int k = range.begin(); k < range.end(); ++k)
+    {
+      tile.render(tree, grouping, side * (k % across), side * (k / across));
+    }
+  };
+  constexpr int tilesAtATime = 4;
+  tbb::parallel_for(
+    tbb::blocked_range<int>(0, across * up, tilesAtATime), traceRange, tbb::simple_partitioner());
+}
+
+double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping)
+{
+  const Internals& internal = *this->Internal;
+  RTCScene tree = internal.trees[static_cast<int>(quality)];
+  this->Picture = nullptr; // Giving back the last image is not this picture's.
+  const Stopwatch stopwatch;
+  this->Picture = vtkSmartPointer<vtkImageData>::New();
+  this->Picture->SetDimensions(internal.width, internal.height, 1);
+  this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* bytes = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
+  if (internal.hasWidePackets())
+  {
+    internal.traceTiles<16>(tree, grouping, bytes);
+  }
+  else
+  {
+    internal.traceTiles<8>(tree, grouping, bytes);
+  }
+  return stopwatch.seconds();
+}

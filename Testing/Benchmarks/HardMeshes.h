@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief meshes that a tree of triangles is good at and a stream of them is not
+ */
+#ifndef HardMeshes_h
+#define HardMeshes_h
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+/// 64 layers one behind the other, 8192 triangles each, in random order. A tree stops
+/// at the first layer it meets.
+vtkSmartPointer<vtkPolyData> makeLayers();
+
+/// 20,000 triangles from one side to the other, each narrower than a pixel.
+vtkSmartPointer<vtkPolyData> makeNeedles();
+
+/// A million triangles whose projections share one pixel.
+vtkSmartPointer<vtkPolyData> makeOnePixel();
+
+/// Ten million small triangles anywhere in a cube, in any order, no point shared.
+vtkSmartPointer<vtkPolyData> makeSoup();
+
+/// Twelve triangles.
+vtkSmartPointer<vtkPolyData> makeBox();
+
+#endif

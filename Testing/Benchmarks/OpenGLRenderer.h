@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the same picture by VTK's OpenGL renderer
+ *
+ * Needs an X server; making the window and its context is not timed, nor is the first
+ * use of the shaders. The pixels are read back, since the peers give an image too.
+ */
+#ifndef OpenGLRenderer_h
+#define OpenGLRenderer_h
+
+#include "Scenes.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+class OpenGLRenderer
+{
+public:
+  /// False without an X server.
+  static bool isAvailable();
+
+  explicit OpenGLRenderer(const BenchmarkScene& scene);
+
+  /// Seconds for a mesh that OpenGL has not seen before.
+  double first();
+
+  /// Seconds for the same mesh again.
+  double next();
+
+  vtkImageData* picture() { return this->Picture; }
+
+  /// Who draws: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  std::string device();
+
+private:
+  double draw();
+
+  const BenchmarkScene& Scene;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkImageData> Picture;
+};
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Peers.h"
+
+#include "ThreadLimit.h"
+
+#include <regex>
+
+namespace
+{
+template <typename Peer>
+Peer& madeOnce(std::unique_ptr<Peer>& peer, const BenchmarkScene& scene)
+{
+  if (!peer)
+  {
+    peer.reset(new Peer(scene));
+  }
+  return *peer;
+}
+}
+
+Peers::Peers(const BenchmarkScene& scene, int threads)
+  : Scene(scene)
+  , Threads(threads)
+  , BareMesh(withoutNormals(scene.mesh))
+{
+}
+
+LambentRenderer& Peers::lambent()
+{
+  return madeOnce(this->Lambent, this->Scene);
+}
+
+EmbreeRenderer& Peers::embree()
+{
+  return madeOnce(this->Embree, this->Scene);
+}
+
+OpenGLRenderer& Peers::opengl()
+{
+  return madeOnce(this->OpenGL, this->Scene);
+}
+
+std::vector<Contest> Peers::all()
+{
+  std::vector<Contest> contests;
+  contests.push_back({ "lambent", [this]() { return this->lambent().render(); } });
+  for (TreeQuality quality : treeQualities)
+  {
+    const std::string name = nameOf(quality);
+    contests.push_back(
+      { "embree/build/" + name, [this, quality]() { return this->embree().build(quality); } });
+    for (RayGrouping grouping : rayGroupings)
+    {
+      contests.push_back({ "embree/trace/" + name + "/" + nameOf(grouping),
+        [this, quality, grouping]() { return this->embree().trace(quality, grouping); } });
+    }
+  }
+  const auto addNormals = [&](const char* name, NormalsFilter filter)
+  {
+    contests.push_back({ std::string("normals/") + name,
+      [this, filter]() { return computeNormals(filter, this->BareMesh); } });
+  };
+  addNormals("vtkLambentNormals", NormalsFilter::Lambent);
+  addNormals("vtkPolyDataNormals", NormalsFilter::PolyData);
+  addNormals("vtkTriangleMeshPointNormals", NormalsFilter::TriangleMeshPoint);
+  for (std::size_t k = 0, count = contests.size(); k < count; ++k)
+  {
+    const auto onOneThread = [run = contests[k].run, threads = this->Threads]()
+    {
+      const ThreadLimit limit(1, threads);
+      return run();
+    };
+    contests.push_back({ "1-thread/" + contests[k].name, onOneThread });
+  }
+  if (OpenGLRenderer::isAvailable())
+  {
+    contests.push_back({ "opengl/first", [this]() { return this->opengl().first(); } });
+    contests.push_back({ "opengl/next", [this]() { return this->opengl().next(); } });
+  }
+  return contests;
+}
+
+std::vector<Contest> Peers::contests(const std::string& regex)
+{
+  const std::regex wanted(regex);
+  std::vector<Contest> chosen;
+  for (Contest& contest : this->all())
+  {
+    if (std::regex_match(contest.name, wanted))
+    {
+      chosen.push_back(std::move(contest));
+    }
+  }
+  return chosen;
+}

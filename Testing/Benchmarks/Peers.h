@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief who draws a scene, and what of it is timed
+ *
+ * The contests of a scene are
+ *
+ *     lambent                       vtkLambentRayTracer, the whole picture
+ *     embree/build/QUALITY          low, medium, high
+ *     embree/trace/QUALITY/RAYS     single, packets, stream, packet-stream
+ *     opengl/first, opengl/next     with an X server only
+ *     normals/FILTER                vtkLambentNormals and its peers
+ *
+ * and all but those of OpenGL once more on one thread, "1-thread/" before the name.
+ */
+#ifndef Peers_h
+#define Peers_h
+
+#include "EmbreeRenderer.h"
+#include "LambentRenderer.h"
+#include "OpenGLRenderer.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct Contest
+{
+  std::string name;
+  std::function<double()> run; ///< once; gives the seconds that count
+};
+
+/// All peers of a scene. A peer is made when it is first asked for.
+class Peers
+{
+public:
+  Peers(const BenchmarkScene& scene, int threads);
+
+  /// Those whose names match a regular expression as a whole.
+  std::vector<Contest> contests(const std::string& regex);
+
+  LambentRenderer& lambent();
+  EmbreeRenderer& embree();
+  OpenGLRenderer& opengl();
+
+private:
+  std::vector<Contest> all();
+
+  const BenchmarkScene& Scene;
+  int Threads;
+  vtkSmartPointer<vtkPolyData> BareMesh;
+  std::unique_ptr<LambentRenderer> Lambent;
+  std::unique_ptr<EmbreeRenderer> Embree;
+  std::unique_ptr<OpenGLRenderer> OpenGL;
+};
+
+#endif

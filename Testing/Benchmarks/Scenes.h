@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief what is drawn: a mesh, a camera, one point light, a size
+ *
+ * The camera looks from the direction (0.4, 0.3, 1) at the centre of the mesh, its
+ * bounding sphere just in view. Everything that a peer needs to draw the same
+ * picture is in View, in plain numbers.
+ */
+#ifndef Scenes_h
+#define Scenes_h
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+using Triple = std::array<double, 3>;
+
+/// The ray of pixel (i, j) goes through eye + forward + x right + y up with
+/// x = (i + 1/2 - width / 2) pixel and y likewise; if parallel it starts at
+/// eye + x right + y up and runs along forward.
+struct View
+{
+  Triple eye, right, up, forward;
+  double pixel;
+  bool parallel;
+  Triple light;
+};
+
+struct BenchmarkScene
+{
+  std::string name;
+  vtkSmartPointer<vtkPolyData> mesh; ///< triangles, float points, float point normals
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkLight> light;
+  int width = 1920;
+  int height = 1080;
+
+  View view() const;
+};
+
+/// The names of the fixed scenes. Besides there are "bumps-T" for a mesh of about T
+/// triangles, and any name followed by "@WIDTHxHEIGHT" for another size.
+std::vector<std::string> sceneNames();
+
+/**
+ * Make a scene. data: the folder of bunny.ply and dragon.ply; cache: a folder for
+ * meshes that take long to make. Throws std::invalid_argument if there is no scene
+ * of that name, SceneMissing if it needs a file that is not there.
+ */
+void makeScene(const std::string& name, const std::string& data, const std::string& cache,
+  BenchmarkScene& scene);
+
+/// The message names the file.
+struct SceneMissing
+{
+  std::string message;
+};
+
+#endif

@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables: medians, ratios to the peers, and which goals are missed."""
+
+import json
+import pathlib
+
+GOALS = json.loads(pathlib.Path(__file__).with_name("goals.json").read_text())
+EVERYWHERE = GOALS["of each of them"]
+MISSED = " **missed**"
+MAY_DIFFER = 0.005
+
+
+def table(header, rows):
+    """Markdown with aligned columns; the first column to the left."""
+    rows = [[str(cell) for cell in row] for row in rows]
+    widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
+
+    def line(cells):
+        first, *others = [
+            cell.ljust(width) if k == 0 else cell.rjust(width)
+            for k, (cell, width) in enumerate(zip(cells, widths))
+        ]
+        return "| " + " | ".join([first, *others]) + " |"
+
+    rule = ["-" * widths[0]] + ["-" * (width - 1) + ":" for width in widths[1:]]
+    return "\n".join([line(header), "| " + " | ".join(rule) + " |", *map(line, rows)])
+
+
+def ms(time):
+    if time is None:
+        return "-"
+    return f"{time:.2f}" if time < 1 else f"{time:.1f}" if time < 100 else f"{time:.0f}"
+
+
+class Tally:
+    """Marks ratios with their goals and counts those that are missed."""
+
+    def __init__(self):
+        self.goals = 0
+        self.missed = []
+
+    def ratio(self, what, peer, ours, goal):
+        """A cell: the ratio, and a mark if there is a goal and it is missed."""
+        if peer is None or ours is None:
+            return "-"
+        return f"{peer / ours:.1f}" + self._mark(what, peer / ours >= goal if goal else None)
+
+    def limit(self, what, value, goal):
+        if value is None:
+            return "-"
+        return f"{value:.0f}" + self._mark(what, value <= goal if goal else None)
+
+    def _mark(self, what, is_met):
+        if is_met is None:
+            return ""
+        self.goals += 1
+        if not is_met:
+            self.missed.append(what)
+        return "" if is_met else MISSED
+
+
+def goal_text(goal):
+    return f"≥ {goal}" if goal else ""
+
+
+def embree_table(scenes, tally):
+    header = ["scene", "triangles", "Lambent ms", "Embree medium build + trace", "ratio", "goal"]
+    header += ["Embree fastest total", "ratio", "goal", "best trace alone", "ratio"]
+    rows = []
+    for scene in scenes:
+        goals = GOALS["scenes"].get(scene.name, {})
+        ours = scene.median("lambent")
+        medium, fastest = goals.get("medium"), goals.get("fastest")
+        quality, total = scene.fastest_total()
+        trace, kind = scene.fastest_trace()
+        _, medium_trace = scene.best_trace("medium")
+        size = "" if scene.size == "1920x1080" else f" ({scene.size})"
+        rows.append(
+            [
+                scene.name + size,
+                f"{scene.triangles:,}",
+                f"{ms(ours)} ±{100 * scene.spread('lambent'):.0f} %",
+                f"{ms(scene.build('medium'))} + {ms(medium_trace)}",
+                tally.ratio(f"{scene.name}: medium", scene.total("medium"), ours, medium),
+                goal_text(medium),
+                f"{ms(total)} ({quality})",
+                tally.ratio(f"{scene.name}: fastest", total, ours, fastest),
+                goal_text(fastest),
+                f"{ms(trace)} ({kind})",
+                tally.ratio(f"{scene.name}: trace", trace, ours, goals and EVERYWHERE["trace"]),
+            ]
+        )
+    return table(header, rows)
+
+
+def opengl_table(scenes, tally):
+    drawn = [scene for scene in scenes if scene.median("opengl/first")]
+    if not drawn:
+        return ""
+    header = ["scene", "OpenGL first frame ms", "ratio", "goal", "next frame ms", "ratio", "goal"]
+    rows = []
+    for scene in drawn:
+        goals = EVERYWHERE if scene.name in GOALS["scenes"] else {}
+        row, ours = [scene.name], scene.median("lambent")
+        for frame in ("first", "next"):
+            time, goal = scene.median(f"opengl/{frame}"), goals.get(f"opengl {frame}")
+            row += [ms(time), tally.ratio(f"{scene.name}: OpenGL {frame}", time, ours, goal)]
+            row += [goal_text(goal)]
+        rows.append(row)
+    return f"VTK's OpenGL renderer on {drawn[0].opengl}:\n\n" + table(header, rows)
+
+
+def normals_table(scenes, tally):
+    ours, peers = "vtkLambentNormals", ("vtkTriangleMeshPointNormals", "vtkPolyDataNormals")
+    header = ["point normals", f"{ours} ms"]
+    for peer in peers:
+        header += [f"{peer} ms", "ratio"]
+    rows = []
+    for scene in scenes:
+        mine = scene.median(f"normals/{ours}")
+        if mine is None:
+            continue
+        row = [scene.name, f"{ms(mine)} ±{100 * scene.spread(f'normals/{ours}'):.0f} %"]
+        for peer in peers:
+            time = scene.median(f"normals/{peer}")
+            goal = GOALS["scenes"].get(scene.name, {}).get("normals") if peer == peers[0] else None
+            row += [ms(time), tally.ratio(f"{scene.name}: normals", time, mine, goal)]
+        rows.append(row)
+    return table(header, rows) if rows else ""
+
+
+def further_table(scenes, tally):
+    """Threads and memory."""
+    header = ["scene", "1 thread ms", "2 threads are faster by", "peak MB beyond mesh and image"]
+    embree = any("embree/build/medium" in scene.memory for scene in scenes)
+    header += ["Embree's, low / medium / high"] if embree else []
+    rows = []
+    for scene in scenes:
+        one, memory = scene.median("1-thread/lambent"), scene.memory.get("lambent")
+        if one is None and memory is None:
+            continue
+        goals = GOALS["scenes"].get(scene.name, {})
+        ours = scene.median("lambent")
+        threads = tally.ratio(f"{scene.name}: threads", one, ours, goals.get("threads"))
+        if one is not None:
+            threads = threads.replace(f"{one / ours:.1f}", f"{one / ours:.2f}", 1)
+        row = [scene.name, ms(one), threads]
+        row += [tally.limit(f"{scene.name}: memory", memory, goals.get("megabytes"))]
+        if embree:
+            figures = [scene.memory.get(f"embree/build/{q}") for q in ("low", "medium", "high")]
+            row += [" / ".join("-" if f is None else f"{f:.0f}" for f in figures)]
+        rows.append(row)
+    return table(header, rows) if rows else ""
+
+
+def agreement(scenes):
+    """One sentence on whether all drew the same picture, and where not."""
+    far = [
+        f"{scene.name}, {peer}: {100 * part:.2f} %"
+        for scene in scenes
+        for peer, part in scene.differing.items()
+        if peer.startswith("embree") and part > MAY_DIFFER
+    ]
+    if far:
+        return "PICTURES DIFFER from Embree's, in bytes by more than 2: " + "; ".join(far) + "."
+    worst = max((max(scene.differing.values(), default=0) for scene in scenes), default=0)
+    return (
+        "The peers drew the same pictures: at most "
+        f"{100 * worst:.3f} % of the bytes differ by more than 2."
+    )
+
+
+def write(scenes, machine, load_after, quick):
+    tally = Tally()
+    tables = [
+        embree_table(scenes, tally),
+        opengl_table(scenes, tally),
+        normals_table(scenes, tally),
+        further_table(scenes, tally),
+    ]
+    load = f"load average {machine['load'][0]:.1f} before, {load_after[0]:.1f} after"
+    head = f"{machine['processor']}, {machine['cores']} cores, two threads; {load}."
+    if machine["load"][0] > 0.5:
+        head += " Other programs were running: the times are not to be trusted, the ratios little."
+    if quick:
+        head += " Quick run: few repetitions; Embree without the high quality."
+    goals = f"{tally.goals - len(tally.missed)} of {tally.goals} goals met."
+    if tally.missed:
+        goals += " Missed: " + "; ".join(tally.missed) + "."
+    return "\n\n".join(part for part in [head, *tables, agreement(scenes), goals] if part) + "\n"

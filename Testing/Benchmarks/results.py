@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the benchmarks measured, out of Google Benchmark's JSON."""
+
+import json
+import os
+import platform
+import statistics
+from dataclasses import dataclass, field
+
+QUALITIES = ("low", "medium", "high")
+
+
+def spread(times):
+    """Half of the range of the middle half, as a part of the median."""
+    if len(times) < 3:
+        return 0.0
+    quarters = statistics.quantiles(times, n=4, method="inclusive")
+    return (quarters[2] - quarters[0]) / 2 / statistics.median(times)
+
+
+@dataclass
+class Scene:
+    """Times in milliseconds of each contest, all repetitions."""
+
+    name: str
+    triangles: int
+    size: str
+    times: dict
+    differing: dict
+    opengl: str = ""
+    packet: str = ""
+    memory: dict = field(default_factory=dict)
+
+    @staticmethod
+    def read(file):
+        data = json.loads(file.read_text())
+        context = data["context"]
+        times = {}
+        for entry in data["benchmarks"]:
+            if entry["run_type"] == "iteration":
+                contest = entry["name"].split("/iterations:")[0].split("/", 1)[1]
+                times.setdefault(contest, []).append(entry["real_time"])
+        differing = {
+            key.split("/", 1)[1]: float(value)
+            for key, value in context.items()
+            if key.startswith("differing/")
+        }
+        return Scene(
+            context["scene"],
+            int(context["triangles"]),
+            context["size"],
+            times,
+            differing,
+            context.get("opengl", ""),
+            context.get("packet", ""),
+        )
+
+    def median(self, contest):
+        """None if it was not run."""
+        return statistics.median(self.times[contest]) if contest in self.times else None
+
+    def spread(self, contest):
+        return spread(self.times[contest])
+
+    def build(self, quality, prefix=""):
+        return self.median(f"{prefix}embree/build/{quality}")
+
+    def best_trace(self, quality, prefix=""):
+        """The fastest way to trace a tree of that quality, and its time; (None, None) if none."""
+        start = f"{prefix}embree/trace/{quality}/"
+        found = {name[len(start) :]: self.median(name) for name in self.times if name.startswith(start)}
+        return min(found.items(), key=lambda item: item[1]) if found else (None, None)
+
+    def total(self, quality, prefix=""):
+        """Embree's build and best trace; None if not run."""
+        build, (_, trace) = self.build(quality, prefix), self.best_trace(quality, prefix)
+        return None if build is None or trace is None else build + trace
+
+    def fastest_total(self):
+        """The quality with the smallest total, and that total."""
+        totals = {quality: self.total(quality) for quality in QUALITIES}
+        known = {quality: total for quality, total in totals.items() if total is not None}
+        return min(known.items(), key=lambda item: item[1]) if known else (None, None)
+
+    def fastest_trace(self):
+        """The smallest of all traces, whatever its tree cost, and what it was."""
+        found = []
+        for quality in QUALITIES:
+            grouping, trace = self.best_trace(quality)
+            if trace is not None:
+                found.append((trace, f"{quality}, {grouping}"))
+        return min(found) if found else (None, None)
+
+
+def machine():
+    """What the README tells of the machine."""
+    model = platform.processor() or platform.machine()
+    with open("/proc/cpuinfo", encoding="utf-8") as lines:
+        for line in lines:
+            if line.startswith("model name"):
+                model = line.split(":", 1)[1].strip()
+                break
+    return {"processor": model, "cores": os.cpu_count(), "load": os.getloadavg()}

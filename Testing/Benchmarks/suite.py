@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run the benchmarks, scene by scene, and report. Called by run.sh.
+
+Each scene is a process of its own, in which all peers take turns; each figure of memory too.
+Results go to BUILD/results: Google Benchmark's JSON of each scene, report.md, and of the
+scaling curves scaling.json and scaling.svg.
+"""
+
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+import report
+import scaling
+from results import Scene, machine
+
+HERE = pathlib.Path(__file__).parent
+NOTHING_TO_DO = 77
+
+GOAL_SCENES = ["bunny", "dragon", "dragon-zoom", "wave-300", "wave-600"]
+HARD_SCENES = [
+    "layers",
+    "needles",
+    "one-pixel",
+    "box",
+    "soup",
+    "dragon-parallel",
+    "dragon-uhd",
+]
+
+# What matters for the goals, without what has never won in a run of everything.
+QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
+EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
+NORMALS = "normals/.*"
+
+
+class Suite:
+    """Runs the program of the benchmarks."""
+
+    def __init__(self, build, data, quick):
+        self.program = build / "bin" / "LambentBenchmarks"
+        self.results = build / "results"
+        self.results.mkdir(exist_ok=True)
+        self.common = [f"--data={data}", f"--cache={build / 'meshes'}"]
+        self.pace = (
+            ["--seconds=0.35", "--fewest=3", "--most=25"]
+            if quick
+            else ["--seconds=3", "--fewest=5", "--most=61"]
+        )
+
+    def time(self, name, contests):
+        """All contests of a scene; None if its file is missing."""
+        file = self.results / f"{name}.json"
+        run = self._run(
+            f"--scene={name}",
+            f"--contests={contests}",
+            *self.pace,
+            "--benchmark_enable_random_interleaving=true",
+            "--quiet",
+            f"--benchmark_out={file}",
+            "--benchmark_out_format=json",
+        )
+        return None if run is None else Scene.read(file)
+
+    def memory(self, name, contest):
+        """Megabytes that a contest takes at its peak, beyond mesh and image."""
+        run = self._run(f"--scene={name}", f"--memory={contest}")
+        return None if run is None else float(run) / 1e6
+
+    def _run(self, *arguments):
+        run = subprocess.run(
+            [str(self.program), *self.common, *arguments], stdout=subprocess.PIPE, text=True
+        )
+        if run.returncode == NOTHING_TO_DO:
+            return None
+        if run.returncode != 0:
+            sys.exit(f"error: {' '.join(arguments)} ended with status {run.returncode}")
+        return run.stdout
+
+
+def say(text):
+    print(text, file=sys.stderr, flush=True)
+
+
+def contests_of(name, quick):
+    contests = QUICK if quick else EVERYTHING
+    if name == "dragon" or (name.startswith("wave") and not quick):
+        contests += "|1-thread/lambent|" + NORMALS
+    return contests
+
+
+def measure(suite, names, quick):
+    """The scenes that there are, with their figures of memory."""
+    scenes = []
+    for name in names:
+        start = time.monotonic()
+        scene = suite.time(name, contests_of(name, quick))
+        if scene is None:
+            say(f"{name}: skipped")
+            continue
+        if not quick or "megabytes" in report.GOALS["scenes"].get(name, {}):
+            scene.memory["lambent"] = suite.memory(name, "lambent")
+        if not quick:
+            for quality in ("low", "medium", "high"):
+                contest = f"embree/build/{quality}"
+                scene.memory[contest] = suite.memory(name, contest)
+        say(f"{name}: {time.monotonic() - start:.0f} s")
+        scenes.append(scene)
+    return scenes
+
+
+def keep(results):
+    """Copy what the README shows into the source folder."""
+    for name in ("report.md", "scaling.json", "scaling.svg"):
+        if (results / name).exists():
+            shutil.copy(results / name, HERE / name)
+            say(f"Kept {HERE / name}")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--quick", action="store_true", help="the goals alone, in a minute")
+    parser.add_argument("--scenes", help="only these, separated by commas")
+    parser.add_argument("--no-scaling", action="store_true", help="without the scaling curves")
+    parser.add_argument("--only-scaling", action="store_true", help="the scaling curves alone")
+    parser.add_argument("--keep", action="store_true", help="copy report and curves to the sources")
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="set by run.sh")
+    parser.add_argument("--data", type=pathlib.Path, required=True, help="set by run.sh")
+    return parser.parse_args()
+
+
+def main():
+    options = parse()
+    suite = Suite(options.build, options.data, options.quick)
+    before = machine()
+    if not options.only_scaling:
+        names = GOAL_SCENES if options.quick else GOAL_SCENES + HARD_SCENES
+        names = options.scenes.split(",") if options.scenes else names
+        scenes = measure(suite, names, options.quick)
+        text = report.write(scenes, before, os.getloadavg(), options.quick)
+        (suite.results / "report.md").write_text(text)
+        print(text)
+    if options.only_scaling or not (options.quick or options.no_scaling or options.scenes):
+        scaling.measure(suite, suite.results / "scaling.json", before, say)
+        scaling.draw(suite.results / "scaling.json", suite.results / "scaling.svg")
+        say(f"Drawn: {suite.results / 'scaling.svg'}")
+    if options.keep:
+        keep(suite.results)
+
+
+if __name__ == "__main__":
+    main()
