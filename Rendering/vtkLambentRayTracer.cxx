@@ -303,6 +303,7 @@ int vtkLambentRayTracer::RequestUpdateExtent(
     inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
     inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    inInfo->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
   }
   return 1;
 }

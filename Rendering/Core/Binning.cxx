@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Binning.h"
 
-#include <hwy/cache_control.h>
-
 #include <limits>
 
 namespace lambent
@@ -62,13 +60,6 @@ void Binning::bin(
   }
   findBoxes(this->Positions + part.firstPoint, boxes);
   const ScreenPoint* const screen = this->Screen + part.firstPoint;
-  for (int k = 0; k < boxes.found; ++k)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      hwy::Prefetch(screen + boxes.corners[3 * boxes.triangles[k] + corner]);
-    }
-  }
   const bool isCulled = surface.material.cullFront || surface.material.cullBack;
   const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
   for (int k = 0; k < boxes.found; ++k)
@@ -135,31 +126,31 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
 {
   SmallTriangles& small = memory.small[height - 1][width - 1];
   CoveredRays& covered = memory.covered;
-  findCoverage(small, width, height, this->Lattice.screenError(), covered);
+  findCoverage(small, width, height, this->Lattice.screenError(), this->Grid, covered);
   small.count = 0;
   for (int k = 0; k < covered.certain; ++k)
   {
-    memory.bins.insertHit(covered.triangles[k], CoveredRays::column(covered.rays[k]),
-      CoveredRays::row(covered.rays[k]), covered.near[k], covered.far[k]);
+    memory.bins.insertHit(covered.cells[k],
+      { covered.triangles[k], static_cast<std::uint32_t>(covered.rays[k]), covered.near[k],
+        covered.far[k] });
   }
   for (int k = 0; k < covered.uncertain; ++k)
   {
     const std::uint32_t triangle = covered.uncertainTriangles[k];
-    const int i = CoveredRays::column(covered.uncertainRays[k]);
-    const int j = CoveredRays::row(covered.uncertainRays[k]);
+    const double x = this->Frame.x(this->Image.i0 + (covered.uncertainPlaces[k] & 0xFFFF));
+    const double y = this->Frame.y(this->Image.j0 + (covered.uncertainPlaces[k] >> 16));
     double depth;
-    if (this->Caster.hits(triangle, this->Frame.x(this->Image.i0 + i),
-          this->Frame.y(this->Image.j0 + j), depth))
+    if (this->Caster.hits(triangle, x, y, depth))
     {
       const auto rounded = static_cast<float>(depth);
-      memory.bins.insertHit(triangle, i, j, rounded * (1.0f - depthSlack),
-        rounded * (1.0f + depthSlack));
+      memory.bins.insertHit(covered.uncertainCells[k],
+        { triangle, static_cast<std::uint32_t>(covered.uncertainRays[k]),
+          rounded * (1.0f - depthSlack), rounded * (1.0f + depthSlack) });
     }
   }
 }
 
-void Binning::binPlainly(
-  const Mesh::Part& part, std::size_t t, BinningMemory& memory) const
+void Binning::binPlainly(const Mesh::Part& part, std::size_t t, BinningMemory& memory) const
 {
   Bins& bins = memory.bins;
   MeshDefects& defects = memory.defects;

@@ -86,8 +86,7 @@ public:
   void flush(BinningMemory& memory) const;
 
 private:
-  void bin(
-    const Mesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
+  void bin(const Mesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
   void binPlainly(const Mesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
   bool addSmall(std::uint32_t triangle, const std::int32_t* corners, const ScreenPoint* screen,
     const Window& box, BinningMemory& memory) const;

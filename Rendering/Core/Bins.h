@@ -14,6 +14,8 @@
 
 #include "CellGrid.h"
 
+#include <hwy/cache_control.h>
+
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -39,10 +41,9 @@ struct Fragment
 template <typename Item>
 struct Page
 {
-  static constexpr int capacity = static_cast<int>(240 / sizeof(Item)); // 256 bytes in all
+  static constexpr int capacity = static_cast<int>(248 / sizeof(Item)); // 256 bytes in all
 
   Page* next;
-  int count;
   Item items[capacity];
 };
 
@@ -51,13 +52,14 @@ template <typename Item>
 class PagedBins
 {
 public:
+  static constexpr int pageCapacity = Page<Item>::capacity;
+
   explicit PagedBins(int bins)
     : Heads(bins)
   {
   }
 
-  const Page<Item>* pages(int bin) const { return this->Heads[bin].page; }
-  std::size_t pageCount(int bin) const { return this->Heads[bin].count; }
+  std::size_t pageCount(int bin) const { return this->Heads[bin].pages; }
   /// Over all bins.
   std::size_t pageCount() const { return this->Pages; }
 
@@ -67,25 +69,44 @@ public:
     this->Pages = 0;
   }
 
+  // What is written is the item alone: pages are seldom in the nearest cache.
   void append(int bin, const Item& item)
   {
     Head& head = this->Heads[bin];
-    if (!head.page || head.page->count == Page<Item>::capacity)
+    if (head.used == pageCapacity)
     {
       Page<Item>* page = this->newPage();
       page->next = head.page;
-      page->count = 0;
       head.page = page;
-      ++head.count;
+      head.used = 0;
+      ++head.pages;
     }
-    head.page->items[head.page->count++] = item;
+    head.page->items[head.used++] = item;
+  }
+
+  /// Calls body(items, count) for each page of a bin.
+  template <typename Body>
+  void forPages(int bin, Body&& body) const
+  {
+    const Head& head = this->Heads[bin];
+    int count = head.used;
+    for (const Page<Item>* page = head.page; page; page = page->next)
+    {
+      for (std::size_t line = 0; line < sizeof(Page<Item>); line += 64)
+      {
+        hwy::Prefetch(reinterpret_cast<const char*>(page->next) + line);
+      }
+      body(page->items, count);
+      count = pageCapacity;
+    }
   }
 
 private:
   struct Head
   {
     Page<Item>* page = nullptr;
-    std::uint32_t count = 0; ///< of pages
+    int used = pageCapacity; ///< of the page; there is none at first
+    int pages = 0;
   };
 
   Page<Item>* newPage()
@@ -146,11 +167,7 @@ public:
     }
   }
 
-  void insertHit(std::uint32_t triangle, int i, int j, float near, float far)
-  {
-    this->Hits.append(this->Grid->levels().front().cellAt(i, j),
-      { triangle, this->Grid->rayInCell(i, j), near, far });
-  }
+  void insertHit(int cell, const Fragment& hit) { this->Hits.append(cell, hit); }
 
 private:
   const CellGrid* Grid;

@@ -110,11 +110,11 @@ bool Casting::hits(std::uint32_t number, double x, double y, double& depth) cons
 }
 
 void Casting::castPlainly(
-  const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays) const
+  const BinEntry* entries, int count, const CellGrid::Level& level, CellRays& rays) const
 {
-  for (int k = 0; k < page.count; ++k)
+  for (int k = 0; k < count; ++k)
   {
-    const BinEntry& entry = page.items[k];
+    const BinEntry& entry = entries[k];
     const Window box = this->boxIn(rays, level, entry);
     if (!box.empty())
     {
@@ -123,8 +123,7 @@ void Casting::castPlainly(
   }
 }
 
-void Casting::test(
-  const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
+void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, CellRays& rays) const
 {
   for (int j = box.j0; j < box.j1; ++j)
   {
@@ -140,18 +139,17 @@ void Casting::test(
   }
 }
 
-void Casting::cast(const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays,
+void Casting::cast(const BinEntry* entries, int count, const CellGrid::Level& level, CellRays& rays,
   CastBatch& batch) const
 {
-  Candidate candidates[Page<BinEntry>::capacity];
-  this->fetch(page, candidates);
+  Candidate candidates[PagedBins<BinEntry>::pageCapacity];
+  this->fetch(entries, count, candidates);
   const bool isFinest = this->Grid.isFinest(level);
-  for (int k = 0; k < page.count; ++k)
+  for (int k = 0; k < count; ++k)
   {
-    const BinEntry& entry = page.items[k];
+    const BinEntry& entry = entries[k];
     const Window box = this->boxIn(rays, level, entry);
-    if (isFinest ||
-      (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box)))
+    if (isFinest || (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box)))
     {
       this->add(entry.triangle, candidates[k], box, isFinest, rays, batch);
     }
@@ -160,11 +158,11 @@ void Casting::cast(const Page<BinEntry>& page, const CellGrid::Level& level, Cel
 
 // Points lie anywhere in memory: all of a page's are asked for before the first is
 // read.
-void Casting::fetch(const Page<BinEntry>& page, Candidate* candidates) const
+void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) const
 {
-  for (int k = 0; k < page.count; ++k)
+  for (int k = 0; k < count; ++k)
   {
-    const std::uint32_t number = page.items[k].triangle;
+    const std::uint32_t number = entries[k].triangle;
     const Mesh::Part& part = this->Triangles.partOf(number);
     candidates[k].surface = part.surface;
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -210,11 +208,11 @@ double Casting::depthAt(std::int64_t triangle, const CellRays& rays, std::size_t
   return depth;
 }
 
-void Casting::addHits(const Page<Fragment>& page, CellRays& rays) const
+void Casting::addHits(const Fragment* hits, int count, CellRays& rays) const
 {
-  for (int k = 0; k < page.count; ++k)
+  for (int k = 0; k < count; ++k)
   {
-    const Fragment& hit = page.items[k];
+    const Fragment& hit = hits[k];
     CellRays::Range& nearest = rays.ranges()[hit.ray];
     if (hit.near > nearest.far)
     {

@@ -36,17 +36,18 @@ public:
   {
   }
 
-  /// Offer to the rays of a cell what they meet on a page of a bin that it is in.
+  /// Offer to the rays of a cell what they meet of triangles in a bin that it is in, a
+  /// page of them at the most.
   void castPlainly(
-    const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays) const;
+    const BinEntry* entries, int count, const CellGrid::Level& level, CellRays& rays) const;
 
   /// The same with the kernel; some of it is left in the batch until flush().
-  void cast(const Page<BinEntry>& page, const CellGrid::Level& level, CellRays& rays,
+  void cast(const BinEntry* entries, int count, const CellGrid::Level& level, CellRays& rays,
     CastBatch& batch) const;
   void flush(CellRays& rays, CastBatch& batch) const;
 
   /// Offer hits that are certain.
-  void addHits(const Page<Fragment>& page, CellRays& rays) const;
+  void addHits(const Fragment* hits, int count, CellRays& rays) const;
 
   /// Let the hits of known depth be the nearest of all. withDepths: and their depths
   /// right, too.
@@ -69,7 +70,7 @@ private:
     const Surface* surface;
     std::uint64_t corners[3];
   };
-  void fetch(const Page<BinEntry>& page, Candidate* candidates) const;
+  void fetch(const BinEntry* entries, int count, Candidate* candidates) const;
   void add(std::uint32_t number, const Candidate& candidate, const Window& box, bool isBoxExact,
     CellRays& rays, CastBatch& batch) const;
 

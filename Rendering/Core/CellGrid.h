@@ -18,7 +18,6 @@
 
 #include "Window.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace lambent
@@ -56,15 +55,9 @@ public:
     }
   }
 
-  /// A finest cell's rays are numbered row by row, this many a row: a multiple of
-  /// the widest vector that kernels use.
-  int rayStride() const { return std::max(8, 1 << this->Levels[0].shift); }
-  /// The number of ray (i, j) in its finest cell.
-  std::uint32_t rayInCell(int i, int j) const
-  {
-    const int mask = (1 << this->Levels[0].shift) - 1;
-    return static_cast<std::uint32_t>((j & mask) * this->rayStride() + (i & mask));
-  }
+  /// A finest cell's rays are numbered row by row, 2^rayShift() a row: at least as
+  /// many as the widest vector has that kernels use.
+  int rayShift() const { return std::max(3, this->Levels[0].shift); }
 
   const Window& whole() const { return this->Whole; }
   const std::vector<Level>& levels() const { return this->Levels; }

@@ -37,7 +37,7 @@ public:
     const CameraFrame& frame, const Window& image, const CellGrid& grid, const Window& rays)
   {
     this->Rays = rays;
-    this->Stride = grid.rayStride();
+    this->Stride = 1 << grid.rayShift();
     this->Xs.resize(this->Stride);
     this->Ys.resize(this->Stride);
     for (int k = 0; k < this->Stride; ++k)

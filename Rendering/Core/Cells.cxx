@@ -17,8 +17,7 @@ constexpr std::size_t emptyCellWeight = 8;
 
 /// Calls body(bins, level, bin) for the bins of a cell and of those above it.
 template <typename Body>
-void forBins(
-  const CellGrid& grid, const std::vector<const Bins*>& bins, int cell, Body&& body)
+void forBins(const CellGrid& grid, const std::vector<const Bins*>& bins, int cell, Body&& body)
 {
   const Window rays = grid.window(cell);
   for (const CellGrid::Level& level : grid.levels())
@@ -87,8 +86,8 @@ void Cells::plan(const std::vector<const Bins*>& bins)
   }
 }
 
-void Cells::run(
-  std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel, bool isLastRound)
+void Cells::run(std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel,
+  bool isLastRound)
 {
   if (!isLastRound && this->Kept.empty())
   {
@@ -110,7 +109,8 @@ void Cells::run(
     });
 }
 
-void Cells::run(const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound)
+void Cells::run(
+  const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound)
 {
   if (task.shares == 0 && this->Kept.empty())
   {
@@ -142,32 +142,32 @@ void Cells::run(const Task& task, const std::vector<const Bins*>& bins, Memory& 
   }
 }
 
-void Cells::cast(
-  const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const
+void Cells::cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const
 {
   int number = 0;
   const auto isMine = [&]() { return number++ % task.shares == task.share; };
   forBins(this->Grid, bins, task.cell,
     [&](const Bins& all, const CellGrid::Level& level, int bin)
     {
-      for (const Page<BinEntry>* page = all.triangles().pages(bin); page; page = page->next)
-      {
-        if (isMine())
+      all.triangles().forPages(bin,
+        [&](const BinEntry* entries, int count)
         {
-          this->Kernels ? this->Caster.cast(*page, level, memory.rays, memory.triangles)
-                        : this->Caster.castPlainly(*page, level, memory.rays);
-        }
-      }
-      if (!this->Grid.isFinest(level))
+          if (isMine())
+          {
+            this->Kernels ? this->Caster.cast(entries, count, level, memory.rays, memory.triangles)
+                          : this->Caster.castPlainly(entries, count, level, memory.rays);
+          }
+        });
+      if (this->Grid.isFinest(level))
       {
-        return;
-      }
-      for (const Page<Fragment>* page = all.hits().pages(bin); page; page = page->next)
-      {
-        if (isMine())
-        {
-          this->Caster.addHits(*page, memory.rays);
-        }
+        all.hits().forPages(bin,
+          [&](const Fragment* hits, int count)
+          {
+            if (isMine())
+            {
+              this->Caster.addHits(hits, count, memory.rays);
+            }
+          });
       }
     });
   if (this->Kernels)

@@ -44,8 +44,8 @@ public:
 
   /// Cast one batch. Cells are painted in the last round, before that they keep
   /// their hits for the next one.
-  void run(
-    std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel, bool isLastRound);
+  void run(std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel,
+    bool isLastRound);
 
 private:
   struct Task
@@ -69,7 +69,8 @@ private:
   };
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int cell) const;
-  void run(const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
+  void run(
+    const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
   void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
   void paint(const CellRays& rays, Memory& memory) const;
 

@@ -37,6 +37,7 @@
 #ifndef lambent_Coverage_h
 #define lambent_Coverage_h
 
+#include "CellGrid.h"
 #include "PointLattice.h"
 
 #include <cstdint>
@@ -47,9 +48,9 @@ namespace lambent
 /// surfaces of which both sides are seen.
 struct SmallTriangles
 {
-  static constexpr int capacity = 64;
+  static constexpr int capacity = 32;
   /// Boxes of at most so many rays along an axis are small.
-  static constexpr int side = 4;
+  static constexpr int side = 8;
 
   int count = 0;
   std::uint32_t triangles[capacity];
@@ -66,16 +67,16 @@ struct CoveredRays
   static constexpr int capacity =
     SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
 
-  /// Rays are i + 2^16 j.
-  static int column(std::uint32_t ray) { return static_cast<int>(ray & 0xFFFF); }
-  static int row(std::uint32_t ray) { return static_cast<int>(ray >> 16); }
-
   int certain = 0;
-  std::uint32_t triangles[capacity], rays[capacity];
+  std::uint32_t triangles[capacity];
+  std::int32_t cells[capacity]; ///< finest ones
+  std::int32_t rays[capacity];  ///< of the cells
   float near[capacity], far[capacity];
 
+  /// These, too, with their rays as i + 2^16 j.
   int uncertain = 0;
-  std::uint32_t uncertainTriangles[capacity], uncertainRays[capacity];
+  std::uint32_t uncertainTriangles[capacity];
+  std::int32_t uncertainCells[capacity], uncertainRays[capacity], uncertainPlaces[capacity];
 };
 
 /// How much wider than its corners' depths, as floats, a triangle's range of depths is
@@ -83,8 +84,8 @@ struct CoveredRays
 constexpr float depthSlack = 1.0f / (1 << 22);
 
 /// All boxes are width x height rays; error is d above. Results are put in anew.
-void findCoverage(
-  const SmallTriangles& batch, int width, int height, float error, CoveredRays& covered);
+void findCoverage(const SmallTriangles& batch, int width, int height, float error,
+  const CellGrid& grid, CoveredRays& covered);
 }
 
 #endif

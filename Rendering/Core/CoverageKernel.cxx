@@ -24,6 +24,8 @@ using M = hn::Mask<F>;
 constexpr F f;
 using U = hn::RebindToUnsigned<F>;
 constexpr U u;
+using I = hn::RebindToSigned<F>;
+constexpr I s;
 
 V smallest(V a, V b, V c)
 {
@@ -62,9 +64,7 @@ Lanes load(const SmallTriangles& batch, int k, float d)
   t.isOversized = hn::Not(hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side)));
   t.near = hn::Mul(smallest(row(2), row(5), row(8)), hn::Set(f, 1.0f - depthSlack));
   t.far = hn::Mul(largest(row(2), row(5), row(8)), hn::Set(f, 1.0f + depthSlack));
-  const hn::RebindToSigned<F> di;
-  t.isUsed =
-    hn::RebindMask(f, hn::Lt(hn::Iota(di, k), hn::Set(di, static_cast<std::int32_t>(batch.count))));
+  t.isUsed = hn::RebindMask(f, hn::Lt(hn::Iota(s, k), hn::Set(s, batch.count)));
   return t;
 }
 
@@ -84,64 +84,79 @@ Products acrossRow(const Lanes& t, V pv)
     hn::Mul(hn::Sub(t.bu, t.au), hn::Sub(pv, t.av)) };
 }
 
+/// Rays, as many as there are lanes.
+struct Rays
+{
+  hn::Vec<I> i, j;
+};
+
 void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> triangles,
-  hn::Vec<U> rays, CoveredRays& covered)
+  const Rays& rays, const CellGrid& grid, CoveredRays& covered)
 {
   const V bc = hn::Sub(row.bc, column.bc);
   const V ca = hn::Sub(row.ca, column.ca);
   const V ab = hn::Sub(row.ab, column.ab);
   const V low = smallest(bc, ca, ab), high = largest(bc, ca, ab);
   const V minusError = hn::Neg(t.error);
-  const M isHit =
-    hn::AndNot(t.isOversized, hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError)));
+  const M isHit = hn::AndNot(t.isOversized, hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError)));
   const M isMiss =
     hn::AndNot(t.isOversized, hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error)));
   const M hit = hn::And(isHit, t.isUsed);
-  if (!hn::AllFalse(f, hit))
+  const M open = hn::AndNot(isMiss, hn::AndNot(isHit, t.isUsed)); // also what is no number
+  if (hn::AllFalse(f, hn::Or(hit, open)))
   {
-    const auto mask = hn::RebindMask(u, hit);
-    hn::CompressStore(triangles, mask, u, covered.triangles + covered.certain);
-    hn::CompressStore(rays, mask, u, covered.rays + covered.certain);
-    hn::CompressStore(t.near, hit, f, covered.near + covered.certain);
-    covered.certain +=
-      static_cast<int>(hn::CompressStore(t.far, hit, f, covered.far + covered.certain));
+    return;
   }
-  // Neither: also where something is not a number.
-  const M open = hn::AndNot(isMiss, hn::AndNot(isHit, t.isUsed));
+  const CellGrid::Level& level = grid.levels().front();
+  const auto inCell = hn::Set(s, (1 << level.shift) - 1);
+  const auto cells = hn::Add(hn::Mul(hn::ShiftRightSame(rays.j, level.shift),
+                               hn::Set(s, static_cast<std::int32_t>(level.columns))),
+    hn::ShiftRightSame(rays.i, level.shift));
+  const auto numbers =
+    hn::Add(hn::ShiftLeftSame(hn::And(rays.j, inCell), grid.rayShift()), hn::And(rays.i, inCell));
+  const auto hits = hn::RebindMask(s, hit);
+  hn::CompressStore(triangles, hn::RebindMask(u, hit), u, covered.triangles + covered.certain);
+  hn::CompressStore(cells, hits, s, covered.cells + covered.certain);
+  hn::CompressStore(numbers, hits, s, covered.rays + covered.certain);
+  hn::CompressStore(t.near, hit, f, covered.near + covered.certain);
+  covered.certain +=
+    static_cast<int>(hn::CompressStore(t.far, hit, f, covered.far + covered.certain));
   if (!hn::AllFalse(f, open))
   {
-    const auto mask = hn::RebindMask(u, open);
-    hn::CompressStore(triangles, mask, u, covered.uncertainTriangles + covered.uncertain);
-    covered.uncertain += static_cast<int>(
-      hn::CompressStore(rays, mask, u, covered.uncertainRays + covered.uncertain));
+    const auto opens = hn::RebindMask(s, open);
+    const auto places = hn::Add(hn::ShiftLeft<16>(rays.j), rays.i);
+    const int at = covered.uncertain;
+    hn::CompressStore(triangles, hn::RebindMask(u, open), u, covered.uncertainTriangles + at);
+    hn::CompressStore(cells, opens, s, covered.uncertainCells + at);
+    hn::CompressStore(numbers, opens, s, covered.uncertainRays + at);
+    covered.uncertain +=
+      static_cast<int>(hn::CompressStore(places, opens, s, covered.uncertainPlaces + at));
   }
 }
 
-void FindCoverage(
-  const SmallTriangles& batch, int width, int height, float error, CoveredRays& covered)
+void FindCoverage(const SmallTriangles& batch, int width, int height, float error,
+  const CellGrid& grid, CoveredRays& covered)
 {
   covered.certain = covered.uncertain = 0;
-  const hn::RebindToSigned<F> di;
   for (int k = 0; k < batch.count; k += static_cast<int>(hn::Lanes(f)))
   {
     const Lanes t = load(batch, k, error);
     const auto triangles = hn::LoadU(u, batch.triangles + k);
-    const auto i = hn::LoadU(di, batch.i + k), j = hn::LoadU(di, batch.j + k);
-    const V firstColumn = hn::ConvertTo(f, i), firstRow = hn::ConvertTo(f, j);
-    const auto firstRay = hn::BitCast(u, hn::Add(hn::ShiftLeft<16>(j), i));
+    const Rays first{ hn::LoadU(s, batch.i + k), hn::LoadU(s, batch.j + k) };
     Products columns[SmallTriangles::side];
-    for (int di0 = 0; di0 < width; ++di0)
+    for (int i = 0; i < width; ++i)
     {
-      columns[di0] =
-        acrossColumn(t, hn::Add(firstColumn, hn::Set(f, static_cast<float>(di0))));
+      columns[i] =
+        acrossColumn(t, hn::Add(hn::ConvertTo(f, first.i), hn::Set(f, static_cast<float>(i))));
     }
-    for (int dj = 0; dj < height; ++dj)
+    for (int j = 0; j < height; ++j)
     {
-      const Products row = acrossRow(t, hn::Add(firstRow, hn::Set(f, static_cast<float>(dj))));
-      for (int di0 = 0; di0 < width; ++di0)
+      const Products row =
+        acrossRow(t, hn::Add(hn::ConvertTo(f, first.j), hn::Set(f, static_cast<float>(j))));
+      for (int i = 0; i < width; ++i)
       {
-        store(t, columns[di0], row, triangles,
-          hn::Add(firstRay, hn::Set(u, static_cast<std::uint32_t>(dj * 65536 + di0))), covered);
+        const Rays rays{ hn::Add(first.i, hn::Set(s, i)), hn::Add(first.j, hn::Set(s, j)) };
+        store(t, columns[i], row, triangles, rays, grid, covered);
       }
     }
   }
@@ -156,10 +171,10 @@ namespace lambent
 {
 HWY_EXPORT(FindCoverage);
 
-void findCoverage(
-  const SmallTriangles& batch, int width, int height, float error, CoveredRays& covered)
+void findCoverage(const SmallTriangles& batch, int width, int height, float error,
+  const CellGrid& grid, CoveredRays& covered)
 {
-  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, width, height, error, covered);
+  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, width, height, error, grid, covered);
 }
 }
 #endif

@@ -68,8 +68,8 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
     hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
       position(lattice.rows(), row, lattice.shift()), Halves(), &positions[p].column);
     const hn::Rebind<float, D> df;
-    hn::StoreInterleaved3(hn::DemoteTo(df, column), hn::DemoteTo(df, row), hn::DemoteTo(df, v.z),
-      df, &screen[p].u);
+    hn::StoreInterleaved3(
+      hn::DemoteTo(df, column), hn::DemoteTo(df, row), hn::DemoteTo(df, v.z), df, &screen[p].u);
     const M isPlaced = hn::And(hn::And(hn::Gt(v.w, hn::Zero(d)), hn::Lt(hn::Abs(v.z), infinity)),
       hn::And(hn::Eq(column, column), hn::Eq(row, row)));
     if (!hn::AllTrue(d, isPlaced))

@@ -62,7 +62,10 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
         this->shade(part, batch);
         part = &this->Triangles.partOf(triangle);
       }
-      batch.add(row + i, triangle, xs[i], y);
+      if (batch.add(row + i, triangle, xs[i], y))
+      {
+        hwy::Prefetch(part->surface->corners.at(3 * (triangle - part->firstTriangle)));
+      }
     }
   }
   this->shade(part, batch);

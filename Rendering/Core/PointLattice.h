@@ -77,8 +77,7 @@ public:
   float screenError() const
   {
     const double largest = 64.0 + std::max(this->Columns.count, this->Rows.count);
-    return static_cast<float>(
-      std::ldexp(largest, -24) + this->Columns.margin + this->Rows.margin);
+    return static_cast<float>(std::ldexp(largest, -24) + this->Columns.margin + this->Rows.margin);
   }
 
   /// Whether positions mean anything: not where the window lies so far from the

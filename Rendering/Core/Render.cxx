@@ -30,9 +30,8 @@ public:
     , Screen(new ScreenPoint[this->Triangles.pointCount()])
     , Grid(image.part.width(), image.part.height(), settings.cellShift)
     , Caster(this->Triangles, this->Frame, this->Grid)
-    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(),
-        this->Screen.get(), this->Grid, this->Caster, image.part, settings.culling,
-        settings.kernels)
+    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Screen.get(),
+        this->Grid, this->Caster, image.part, settings.culling, settings.kernels)
     , Shades(scene, this->Triangles, this->Frame)
     , Painter(scene, this->Triangles, this->Shades, image)
     , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),

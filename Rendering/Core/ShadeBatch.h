@@ -38,9 +38,11 @@ struct ShadeBatch
 
   bool isFull() const { return this->count == capacity; }
 
-  void add(std::size_t pixel, std::uint32_t triangle, double rayX, double rayY)
+  /// True if a new run begins.
+  bool add(std::size_t pixel, std::uint32_t triangle, double rayX, double rayY)
   {
-    if (this->runs == 0 || this->triangles[this->runs - 1] != triangle)
+    const bool isNew = this->runs == 0 || this->triangles[this->runs - 1] != triangle;
+    if (isNew)
     {
       this->triangles[this->runs++] = triangle;
     }
@@ -49,6 +51,7 @@ struct ShadeBatch
     this->x[this->count] = rayX;
     this->y[this->count] = rayY;
     ++this->count;
+    return isNew;
   }
 
   void clear() { this->count = this->runs = 0; }
