@@ -18,7 +18,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <limits>
 #include <string>
 
 /// GLM's own arithmetic, on purpose another one than that of the module.
@@ -41,8 +41,11 @@ public:
   /// The colour of a pixel of the whole image, i from the left, j from the bottom.
   Vec at(int i, int j) const
   {
-    Vec color;
-    this->colors()->GetTuple(this->index(i, j), &color.x);
+    Vec color(std::numeric_limits<double>::quiet_NaN());
+    if (!this->empty())
+    {
+      this->colors()->GetTuple(this->index(i, j), &color.x);
+    }
     return color;
   }
 
@@ -63,10 +66,11 @@ public:
     return all;
   }
 
+  /// How many pixels are of a colour; -1 in an empty picture.
   int count(const Vec& color) const
   {
-    int pixels = 0;
-    for (vtkIdType p = 0; p < this->colors()->GetNumberOfTuples(); ++p)
+    int pixels = this->empty() ? -1 : 0;
+    for (vtkIdType p = 0; !this->empty() && p < this->colors()->GetNumberOfTuples(); ++p)
     {
       Vec found;
       this->colors()->GetTuple(p, &found.x);

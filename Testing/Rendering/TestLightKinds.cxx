@@ -223,11 +223,13 @@ TEST(LightKinds, ConeExponents)
     auto light = plane.light(lamp, { 0.0, 0.0, 0.0 }, true);
     light->SetConeAngle(75.0);
     light->SetExponent(exponent);
+    light->SetAttenuationValues(0.75, 0.5, 0.0);
     plane.expectEverywhere(
       [&](const Vec& p)
       {
-        const double cosine = glm::dot(glm::normalize(lamp - p), glm::normalize(lamp));
-        return std::pow(cosine, exponent) * plane.cosine(lamp - p);
+        const double d = glm::length(lamp - p);
+        const double cosine = glm::dot((lamp - p) / d, glm::normalize(lamp));
+        return std::pow(cosine, exponent) * plane.cosine(lamp - p) / (0.75 + 0.5 * d);
       });
   }
 }

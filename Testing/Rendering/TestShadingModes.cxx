@@ -125,18 +125,22 @@ TEST(ShadingModes, UnlitIsTheDiffuseColour)
 
 TEST(ShadingModes, TwoSidedLightingTurnsTheNormalToTheViewer)
 {
-  Facing facing;
-  facing.property->SetInterpolationToFlat();
-  facing.look({ 0.0, 0.0, -5.0 }, { 0.0, 0.0, 0.0 }); // the light is on the other side
-  facing.expect(0.0, "from behind");
-  facing.tracer->TwoSidedLightingOff();
-  facing.expect(0.8, "from behind, one-sided");
+  for (int interpolation : { VTK_FLAT, VTK_PHONG })
+  {
+    Facing facing;
+    setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, 1.0 }));
+    facing.property->SetInterpolation(interpolation);
+    facing.look({ 0.0, 0.0, -5.0 }, { 0.0, 0.0, 0.0 }); // the light is on the other side
+    facing.expect(0.0, "from behind");
+    facing.tracer->TwoSidedLightingOff();
+    facing.expect(0.8, "from behind, one-sided");
 
-  facing.tracer->RemoveAllLights();
-  facing.tracer->AddLight(makeLight({ 0.0, 0.6, -0.8 }, { 0.0, 0.0, 0.0 }));
-  facing.expect(0.0, "light on the viewer's side, one-sided");
-  facing.tracer->TwoSidedLightingOn();
-  facing.expect(0.8, "light on the viewer's side");
+    facing.tracer->RemoveAllLights();
+    facing.tracer->AddLight(makeLight({ 0.0, 0.6, -0.8 }, { 0.0, 0.0, 0.0 }));
+    facing.expect(0.0, "light on the viewer's side, one-sided");
+    facing.tracer->TwoSidedLightingOn();
+    facing.expect(0.8, "light on the viewer's side");
+  }
 }
 
 // The back of a face is where its points run clockwise, whatever its normals say.
