@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where points fall between the rays may keep too many rays of a triangle, and never
 // one too few.
+#include "LatticeKernel.h"
 #include "PointLattice.h"
 #include "RandomNumbers.h"
+#include "VectorTarget.h"
 
 #include <gtest/gtest.h>
 
@@ -119,16 +121,65 @@ TEST(PointLattice, TellsBetweenWhichRays)
   }
 }
 
+// Such a point counts as left and as right of its ray, wherever rounding puts it.
 TEST(PointLattice, PointsOnARayAreOnEitherSide)
 {
-  const CameraFrame frame(Camera(), 40, 30);
-  const PointLattice lattice(frame, { 0, 40, 0, 30 });
-  const Vec3 point = frame.eye + frame.fromEye(frame.x(12), frame.y(7), 3.0);
-  const LatticePosition p = lattice.locate(point);
-  EXPECT_EQ(p.column, 2 * 12 + 1);
-  EXPECT_EQ(p.row, 2 * 7 + 1);
-  const Window rays = lattice.raysBetween(p, p, p);
-  EXPECT_TRUE(rays.i0 == 12 && rays.i1 == 13 && rays.j0 == 7 && rays.j1 == 8);
+  RandomNumbers random(10);
+  for (int k = 0; k < 5000; ++k)
+  {
+    const CameraFrame frame(makeCamera(random, 1.0, Vec3(0.0)), 40, 30);
+    const PointLattice lattice(frame, { 0, 40, 0, 30 });
+    const int i = random.below(40), j = random.below(30);
+    const LatticePosition p =
+      lattice.locate(frame.eye + frame.fromEye(frame.x(i), frame.y(j), random.within(1.0, 5.0)));
+    EXPECT_EQ(p.column, 2 * i + 1);
+    EXPECT_EQ(p.row, 2 * j + 1);
+    const Window rays = lattice.raysBetween(p, p, p);
+    EXPECT_TRUE(rays.i0 == i && rays.i1 == i + 1 && rays.j0 == j && rays.j1 == j + 1);
+  }
+}
+
+// Points by the vector are placed as points one by one, on every instruction set.
+TEST(PointLattice, ManyAtATimeAreEqual)
+{
+  RandomNumbers random(11);
+  const CameraFrame frame(makeCamera(random, 1.0, Vec3(0.0)), 40, 30);
+  const PointLattice lattice(frame, { 3, 39, 2, 29 });
+  std::vector<Vec3> points;
+  for (int k = 0; k < 1003; ++k)
+  {
+    points.push_back(k % 3 == 0
+        ? random.inBox(6.0) // on all sides of the eye
+        : frame.eye + frame.fromEye(frame.x(random.below(40)), frame.y(random.below(30)), 2.0));
+  }
+  points[500].y = std::numeric_limits<double>::quiet_NaN();
+  points[502] = frame.eye;
+  points[701].x = std::numeric_limits<double>::infinity();
+  std::vector<float> floats;
+  for (const Vec3& p : points)
+  {
+    floats.insert(
+      floats.end(), { static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z) });
+  }
+  const std::string before = vectorTargetInUse();
+  for (const std::string& target : vectorTargets())
+  {
+    ASSERT_TRUE(useVectorTarget(target));
+    for (const TupleSpan& span : { TupleSpan{ points.data(), true, points.size() },
+           TupleSpan{ floats.data(), false, points.size() } })
+    {
+      std::vector<LatticePosition> positions(points.size());
+      std::vector<ScreenPoint> screen(points.size());
+      locatePoints(lattice, span, 1, points.size(), positions.data(), screen.data());
+      for (std::size_t p = 1; p < points.size(); ++p)
+      {
+        const LatticePosition one = lattice.locate(span[p]);
+        EXPECT_EQ(positions[p].column, one.column) << "point " << p << ", " << target;
+        EXPECT_EQ(positions[p].row, one.row) << "point " << p << ", " << target;
+      }
+    }
+  }
+  useVectorTarget(before);
 }
 
 TEST(PointLattice, SaysSoWhereThereIsNoPlace)
