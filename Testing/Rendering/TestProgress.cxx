@@ -3,6 +3,8 @@
 #include "Meshes.h"
 #include "Messages.h"
 
+#include "Render.h"
+
 #include <thread>
 
 namespace
@@ -72,4 +74,30 @@ TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
   }
   EXPECT_TRUE(messages.errors().empty());
   EXPECT_TRUE(messages.warnings().empty());
+}
+
+// The executive tells of 1 in any case; the picture's own making does too.
+TEST(Progress, OfThePictureItselfRisesToOne)
+{
+  std::vector<float> floats(3 * 40 * 30);
+  lambent::Image image;
+  image.width = 40;
+  image.height = 30;
+  image.part = { 0, 40, 0, 30 };
+  image.floats = floats.data();
+  std::vector<double> told;
+  bool goOn = true;
+  const auto tell = [&](double fraction)
+  {
+    told.push_back(fraction);
+    return goOn;
+  };
+  const lambent::Scene nothing;
+  EXPECT_EQ(
+    lambent::render(nothing, image, lambent::Parallel(), tell).outcome, lambent::Outcome::Done);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back(), 1.0);
+  goOn = false;
+  EXPECT_EQ(
+    lambent::render(nothing, image, lambent::Parallel(), tell).outcome, lambent::Outcome::Aborted);
 }
