@@ -130,6 +130,10 @@ void EmbreeRenderer::Internals::traceTiles(
 double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping)
 {
   const Internals& internal = *this->Internal;
+  if (!internal.trees[static_cast<int>(quality)])
+  {
+    this->build(quality);
+  }
   RTCScene tree = internal.trees[static_cast<int>(quality)];
   this->Picture = nullptr; // Giving back the last image is not this picture's.
   const Stopwatch stopwatch;

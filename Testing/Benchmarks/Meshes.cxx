@@ -6,6 +6,7 @@
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPLYReader.h"
 #include "vtkPointData.h"
@@ -75,10 +76,36 @@ vtkSmartPointer<vtkPolyData> contourWave(int half)
   return mesh;
 }
 
-double bump(const std::array<double, 3>& p)
+using Triple = std::array<double, 3>;
+
+/// The ball's surface over the unit square [-1, 1]^2 of a cube's face.
+Triple onBall(int face, double u, double v)
 {
-  return 1 + 0.06 * std::sin(9 * p[0]) * std::sin(11 * p[1]) * std::sin(10 * p[2]) +
+  constexpr double eighth = 0.7853981633974483; // of a full turn
+  const int axis = face / 2;
+  const double side = face % 2 ? 1.0 : -1.0;
+  Triple p;
+  p[axis] = side;
+  p[(axis + 1) % 3] = side * std::tan(eighth * u);
+  p[(axis + 2) % 3] = std::tan(eighth * v);
+  const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+  p = { p[0] / length, p[1] / length, p[2] / length };
+  const double radius = 1 + 0.06 * std::sin(9 * p[0]) * std::sin(11 * p[1]) * std::sin(10 * p[2]) +
     0.012 * std::sin(47 * p[0] + 31 * p[1]) * std::sin(43 * p[2] - 19 * p[1]);
+  return { radius * p[0], radius * p[1], radius * p[2] };
+}
+
+Triple normalOnBall(int face, double u, double v)
+{
+  constexpr double h = 1e-5;
+  const Triple u0 = onBall(face, u - h, v), u1 = onBall(face, u + h, v);
+  const Triple v0 = onBall(face, u, v - h), v1 = onBall(face, u, v + h);
+  const Triple a{ u1[0] - u0[0], u1[1] - u0[1], u1[2] - u0[2] };
+  const Triple b{ v1[0] - v0[0], v1[1] - v0[1], v1[2] - v0[2] };
+  Triple normal;
+  vtkMath::Cross(a.data(), b.data(), normal.data());
+  vtkMath::Normalize(normal.data());
+  return normal;
 }
 }
 
@@ -164,21 +191,13 @@ vtkSmartPointer<vtkPolyData> makeBumps(std::size_t triangles)
   MeshArrays mesh;
   for (int face = 0; face < 6; ++face)
   {
-    const int axis = face / 2;
-    const double side = face % 2 ? 1.0 : -1.0;
     const vtkIdType first = static_cast<vtkIdType>(mesh.points.size() / 3);
     for (int j = 0; j <= n; ++j)
     {
       for (int i = 0; i <= n; ++i)
       {
-        std::array<double, 3> p;
-        p[axis] = side;
-        p[(axis + 1) % 3] = side * std::tan(0.25 * 3.141592653589793 * (2.0 * i / n - 1));
-        p[(axis + 2) % 3] = std::tan(0.25 * 3.141592653589793 * (2.0 * j / n - 1));
-        const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        p = { p[0] / length, p[1] / length, p[2] / length };
-        const double radius = bump(p);
-        mesh.addPoint({ radius * p[0], radius * p[1], radius * p[2] });
+        const double u = 2.0 * i / n - 1, v = 2.0 * j / n - 1;
+        mesh.addPoint(onBall(face, u, v), normalOnBall(face, u, v));
       }
     }
     for (int j = 0; j < n; ++j)

@@ -21,17 +21,6 @@ bool OpenGLRenderer::isAvailable()
 OpenGLRenderer::OpenGLRenderer(const BenchmarkScene& scene)
   : Scene(scene)
 {
-  vtkNew<vtkCamera> camera; // A copy: OpenGL sets the clipping range.
-  camera->DeepCopy(scene.camera);
-  vtkNew<vtkLight> light;
-  light->DeepCopy(scene.light);
-  this->Renderer->SetActiveCamera(camera);
-  this->Renderer->AutomaticLightCreationOff();
-  this->Renderer->AddLight(light);
-  this->Window->SetOffScreenRendering(true);
-  this->Window->SetMultiSamples(0);
-  this->Window->SetSize(scene.width, scene.height);
-  this->Window->AddRenderer(this->Renderer);
   this->first();
 }
 
@@ -48,36 +37,74 @@ std::string OpenGLRenderer::device()
   return report.substr(name, report.find('\n', name) - name);
 }
 
+//------------------------------------------------------------------------------
 double OpenGLRenderer::first()
 {
+  this->Window = nullptr; // Closing the last window is not this picture's.
+  this->Renderer = nullptr;
+  this->Picture = nullptr;
+  const Stopwatch stopwatch;
+  this->open();
+  this->load();
+  this->draw();
+  return stopwatch.seconds();
+}
+
+double OpenGLRenderer::newMesh()
+{
   this->Renderer->RemoveAllViewProps();
+  this->Picture = nullptr;
+  const Stopwatch stopwatch;
+  this->load();
+  this->draw();
+  return stopwatch.seconds();
+}
+
+double OpenGLRenderer::next()
+{
+  this->Picture = nullptr;
+  const Stopwatch stopwatch;
+  this->draw();
+  return stopwatch.seconds();
+}
+
+//------------------------------------------------------------------------------
+void OpenGLRenderer::open()
+{
+  vtkNew<vtkCamera> camera; // A copy: OpenGL sets the clipping range.
+  camera->DeepCopy(this->Scene.camera);
+  vtkNew<vtkLight> light;
+  light->DeepCopy(this->Scene.light);
+  this->Renderer = vtkSmartPointer<vtkRenderer>::New();
+  this->Renderer->SetActiveCamera(camera);
+  this->Renderer->AutomaticLightCreationOff();
+  this->Renderer->AddLight(light);
+  this->Window = vtkSmartPointer<vtkRenderWindow>::New();
+  this->Window->SetOffScreenRendering(true);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(this->Scene.width, this->Scene.height);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+void OpenGLRenderer::load()
+{
   vtkNew<vtkPolyData> mesh; // New to the mapper, yet nothing is copied.
   mesh->ShallowCopy(this->Scene.mesh);
-  mesh->GetPoints()->Modified();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   this->Renderer->AddActor(actor);
   this->Renderer->ResetCameraClippingRange();
-  return this->draw();
 }
 
-double OpenGLRenderer::next()
-{
-  return this->draw();
-}
-
-double OpenGLRenderer::draw()
+void OpenGLRenderer::draw()
 {
   const int width = this->Scene.width, height = this->Scene.height;
-  this->Picture = nullptr;
-  const Stopwatch stopwatch;
   this->Window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, width - 1, height - 1, /*front*/ 0, pixels);
   this->Picture = vtkSmartPointer<vtkImageData>::New();
   this->Picture->SetDimensions(width, height, 1);
   this->Picture->GetPointData()->SetScalars(pixels);
-  return stopwatch.seconds();
 }

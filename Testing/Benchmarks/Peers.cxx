@@ -17,11 +17,30 @@ Peer& madeOnce(std::unique_ptr<Peer>& peer, const BenchmarkScene& scene)
   }
   return *peer;
 }
+
+Contest onOneThread(const Contest& contest)
+{
+  const std::string name = "1-thread/" + contest.name;
+  if (contest.name.find("embree/") == 0)
+  {
+    return { name,
+      [run = contest.run]()
+      {
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        return run();
+      } };
+  }
+  return { name,
+    [run = contest.run]()
+    {
+      const SequentialVtk one;
+      return run();
+    } };
+}
 }
 
-Peers::Peers(const BenchmarkScene& scene, int threads)
+Peers::Peers(const BenchmarkScene& scene)
   : Scene(scene)
-  , Threads(threads)
   , BareMesh(withoutNormals(scene.mesh))
 {
 }
@@ -66,16 +85,12 @@ std::vector<Contest> Peers::all()
   addNormals("vtkTriangleMeshPointNormals", NormalsFilter::TriangleMeshPoint);
   for (std::size_t k = 0, count = contests.size(); k < count; ++k)
   {
-    const auto onOneThread = [run = contests[k].run, threads = this->Threads]()
-    {
-      const ThreadLimit limit(1, threads);
-      return run();
-    };
-    contests.push_back({ "1-thread/" + contests[k].name, onOneThread });
+    contests.push_back(onOneThread(contests[k]));
   }
   if (OpenGLRenderer::isAvailable())
   {
     contests.push_back({ "opengl/first", [this]() { return this->opengl().first(); } });
+    contests.push_back({ "opengl/new-mesh", [this]() { return this->opengl().newMesh(); } });
     contests.push_back({ "opengl/next", [this]() { return this->opengl().next(); } });
   }
   return contests;

@@ -9,7 +9,9 @@
  *     lambent                       vtkLambentRayTracer, the whole picture
  *     embree/build/QUALITY          low, medium, high
  *     embree/trace/QUALITY/RAYS     single, packets, stream, packet-stream
- *     opengl/first, opengl/next     with an X server only
+ *     opengl/first                  the first frame, with its window; needs an X server
+ *     opengl/new-mesh               that of another mesh in the same window
+ *     opengl/next                   the same mesh again
  *     normals/FILTER                vtkLambentNormals and its peers
  *
  * and all but those of OpenGL once more on one thread, "1-thread/" before the name.
@@ -36,7 +38,7 @@ struct Contest
 class Peers
 {
 public:
-  Peers(const BenchmarkScene& scene, int threads);
+  explicit Peers(const BenchmarkScene& scene);
 
   /// Those whose names match a regular expression as a whole.
   std::vector<Contest> contests(const std::string& regex);
@@ -49,7 +51,6 @@ private:
   std::vector<Contest> all();
 
   const BenchmarkScene& Scene;
-  int Threads;
   vtkSmartPointer<vtkPolyData> BareMesh;
   std::unique_ptr<LambentRenderer> Lambent;
   std::unique_ptr<EmbreeRenderer> Embree;

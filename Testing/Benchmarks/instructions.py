@@ -57,11 +57,15 @@ def compare(kept, counts):
     for target, scenes in counts.items():
         for scene, now in scenes.items():
             before = kept.get(target, {}).get(scene)
-            change = (now - before) / before if before else float("inf")
+            if before is None:
+                print(f"{target:8}{scene:12}{'-':>14}{now:>14}      new")
+                changed += 1
+                continue
+            change = (now - before) / before
             far = abs(change) > TOLERANCE
             changed += far
             print(
-                f"{target:8}{scene:12}{before or '-':>14}{now:>14}{change:>+9.1%}"
+                f"{target:8}{scene:12}{before:>14}{now:>14}{change:>+9.1%}"
                 + (("  WORSE" if change > 0 else "  better: keep it with --update") if far else "")
             )
     return changed
