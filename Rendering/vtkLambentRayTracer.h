@@ -26,9 +26,9 @@
  *    the centre of each pixel. The rays are grouped into square cells.
  * 2. One pass over the points finds where on the lattice each of them falls.
  * 3. One pass over the triangles drops those between the rays and hands the
- *    others to the cells they touch.
- * 4. Each cell tests its triangles exactly, in double precision, keeps the
- *    nearest hit of each ray, shades it and writes its part of the image.
+ *    others, or the hits on them that are certain, to the cells they touch.
+ * 4. Each cell decides in double precision what is still open, keeps the nearest
+ *    hit of each ray, shades it and writes its part of the image.
  *
  * Nothing is built and nothing is kept from one picture to the next.
  *

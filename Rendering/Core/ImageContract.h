@@ -12,6 +12,9 @@
  *   without contraction (-ffp-contract=off) and without -ffast-math.
  * - GLM gives the types only. Its dot() and normalize() may sum in another order
  *   in another release; ours may not.
+ * - Float, and whatever else is fast, may decide what is proven to come out the same
+ *   here, and nothing else: which triangles a ray cannot meet, and which hits are
+ *   certain (PointLattice.h, Coverage.h).
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight
  *   Ray/Triangle Intersection", JCGT 2(1), 2013, with one more condition, see
  *   intersect().

@@ -8,10 +8,12 @@
  *    grouped into cells (CellGrid).
  * 2. One pass over the points finds where each falls between the rays
  *    (PointLattice).
- * 3. One pass over the triangles drops those between the rays and bins the others
- *    by cell (Binning, Bins).
- * 4. Each cell finds the nearest hit of each of its rays (Casting), shades it
- *    (Shading) and writes its pixels. Only the cell at hand has depths.
+ * 3. One pass over the triangles drops those between the rays (Binning). Of small
+ *    ones, the hits that are certain go into the bins of their cells (Coverage); of
+ *    others, the triangle does (Bins).
+ * 4. Each cell casts its rays at its triangles (Casting), finds the nearest of all
+ *    hits of each (CellRays), shades it (Shading) and writes its pixels (Painting).
+ *    Only the cell at hand has depths.
  *
  * Should the bins of step 3 fill the memory they are given, step 4 is done for
  * what they hold, the cells keep their hits, and step 3 goes on.
