@@ -46,11 +46,13 @@ class Series:
 
 
 class LogAxis:
-    """From values to places between two ends."""
+    """From values to places between two ends, which are powers of ten."""
+
+    NEARLY = 0.02  # of a decade: what is so near to a power does not need another decade
 
     def __init__(self, values, begin, end):
-        self.low = math.floor(min(map(math.log10, values)) + 1e-3)
-        self.high = max(math.ceil(max(map(math.log10, values)) - 1e-3), self.low + 1)
+        self.low = math.floor(min(map(math.log10, values)) + self.NEARLY)
+        self.high = max(math.ceil(max(map(math.log10, values)) - self.NEARLY), self.low + 1)
         self.begin, self.end = begin, end
 
     def place(self, value):
