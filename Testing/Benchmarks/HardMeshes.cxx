@@ -107,7 +107,7 @@ vtkSmartPointer<vtkPolyData> makeNeedles()
 {
   Random random;
   MeshArrays mesh;
-  for (int k = 0; k < 20000; ++k)
+  for (int k = 0; k < 2000; ++k)
   {
     const double angle = random(0, 3.141592653589793), c = std::cos(angle), s = std::sin(angle);
     const double offset = random(-1, 1), depth = random(-0.1, 0.1), width = 0.0004;

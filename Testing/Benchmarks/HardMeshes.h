@@ -14,7 +14,7 @@
 /// at the first layer it meets.
 vtkSmartPointer<vtkPolyData> makeLayers();
 
-/// 20,000 triangles from one side to the other, each narrower than a pixel.
+/// 2,000 triangles from one side to the other, each narrower than a pixel.
 vtkSmartPointer<vtkPolyData> makeNeedles();
 
 /// A million triangles whose projections share one pixel.
