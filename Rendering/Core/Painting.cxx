@@ -41,8 +41,7 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
   const Window& window = rays.window();
   this->paintBackground(window);
   const Mesh::Part* part = nullptr;
-  const int width = window.width();
-  const double* const xs = rays.xs();
+  std::int64_t last = CellRays::none; // the triangle of the current run
   for (int j = 0; j < window.height(); ++j)
   {
     const std::int64_t* const triangles =
@@ -50,22 +49,25 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
     const double y = rays.ys()[j];
     const std::size_t row =
       static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0;
-    for (int i = 0; i < width; ++i)
+    for (int i = 0; i < window.width(); ++i)
     {
       if (triangles[i] == CellRays::none)
       {
         continue;
       }
-      const auto triangle = static_cast<std::uint32_t>(triangles[i]);
-      if (!part || !part->holds(triangle) || batch.isFull())
+      if (triangles[i] != last || batch.isFull())
       {
-        this->shade(part, batch);
-        part = &this->Triangles.partOf(triangle);
-      }
-      if (batch.add(row + i, triangle, xs[i], y))
-      {
+        last = triangles[i];
+        const auto triangle = static_cast<std::uint32_t>(last);
+        if (!part || !part->holds(triangle) || batch.isFull())
+        {
+          this->shade(part, batch);
+          part = &this->Triangles.partOf(triangle);
+        }
+        batch.beginRun(triangle);
         hwy::Prefetch(part->surface->corners.at(3 * (triangle - part->firstTriangle)));
       }
+      batch.add(row + i, rays.xs()[i], y);
     }
   }
   this->shade(part, batch);

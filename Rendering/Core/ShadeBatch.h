@@ -38,20 +38,16 @@ struct ShadeBatch
 
   bool isFull() const { return this->count == capacity; }
 
-  /// True if a new run begins.
-  bool add(std::size_t pixel, std::uint32_t triangle, double rayX, double rayY)
+  /// The hits that are added from now on are on this triangle.
+  void beginRun(std::uint32_t triangle) { this->triangles[this->runs++] = triangle; }
+
+  void add(std::size_t pixel, double rayX, double rayY)
   {
-    const bool isNew = this->runs == 0 || this->triangles[this->runs - 1] != triangle;
-    if (isNew)
-    {
-      this->triangles[this->runs++] = triangle;
-    }
-    this->pixels[this->count] = pixel;
-    this->run[this->count] = this->runs - 1;
-    this->x[this->count] = rayX;
-    this->y[this->count] = rayY;
-    ++this->count;
-    return isNew;
+    const int k = this->count++;
+    this->pixels[k] = pixel;
+    this->run[k] = this->runs - 1;
+    this->x[k] = rayX;
+    this->y[k] = rayY;
   }
 
   void clear() { this->count = this->runs = 0; }
