@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -52,11 +53,13 @@ FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& paral
   vtkCellArray* const arrays[] = { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(),
     polyData->GetStrips() };
   lambent::CellSpan lists[4];
+  lambent::CheckedCells checked[4];
   vtkIdType firstCell = 0;
   for (int i = 0; i < 4; ++i)
   {
     lists[i] = this->Spans.cells(arrays[i]);
-    if (const auto defect = lambent::findDefect(lists[i], this->Faces.points.size, parallel))
+    checked[i] = lambent::checkCells(lists[i], this->Faces.points.size, parallel);
+    if (const lambent::CellDefect& defect = checked[i].defect)
     {
       refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Faces.points.size);
     }
@@ -66,10 +69,11 @@ FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& paral
   const lambent::CellSpan& polygons = lists[2];
   const lambent::CellSpan& strips = lists[3];
   this->Faces.cells = polygons;
+  this->Faces.blocks = std::move(checked[2].blocks);
   if (lambent::cellCount(strips) > 0)
   {
     this->Merged = lambent::mergeFaces(polygons, strips);
-    this->Faces.cells = this->Merged.span();
+    this->setCells(this->Merged.span(), parallel);
   }
   this->markNonFinite(
     polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(), parallel);
@@ -101,8 +105,14 @@ void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lamben
   }
 }
 
-void FacesFromVTK::refer(vtkPolyData* rewritten)
+void FacesFromVTK::setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel)
+{
+  this->Faces.cells = cells;
+  this->Faces.blocks = lambent::checkCells(cells, this->Faces.points.size, parallel).blocks;
+}
+
+void FacesFromVTK::refer(vtkPolyData* rewritten, const lambent::Parallel& parallel)
 {
   this->Faces.points = pointsOf(rewritten, this->Spans);
-  this->Faces.cells = this->Spans.cells(rewritten->GetPolys());
+  this->setCells(this->Spans.cells(rewritten->GetPolys()), parallel);
 }

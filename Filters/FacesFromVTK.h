@@ -36,9 +36,10 @@ public:
   }
 
   /// From now on take points and polygons from the same mesh after a rewrite.
-  void refer(vtkPolyData* rewritten);
+  void refer(vtkPolyData* rewritten, const lambent::Parallel& parallel);
 
 private:
+  void setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel);
   void markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
     vtkIdType firstPolygon, const lambent::Parallel& parallel);
 

@@ -141,7 +141,7 @@ bool vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
       copyPoints(input, split.copiedPoints, output);
     }
     setPolygons(mesh, split.connectivity, output);
-    mesh.refer(output);
+    mesh.refer(output, parallel);
   }
   if (!goOn(0.4))
   {

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellBlocks.h"
 
+#include "CheckKernel.h"
 #include "Chunks.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <type_traits>
 
 namespace lambent
 {
@@ -16,7 +15,7 @@ namespace
 {
 // Small enough to share out evenly and to name a narrow range of points, large
 // enough that a block costs nothing beside its cells.
-constexpr std::size_t CellsPerBlock = 1024;
+constexpr std::size_t CellsPerBlock = 256;
 constexpr std::size_t PointsPerChunk = 16384;
 
 template <typename Id>
@@ -45,20 +44,51 @@ bool isFinite(const Vec3& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-bool areFinite(const TupleSpan& points, const Parallel& parallel)
+template <typename Id>
+CellDefect findDefect(const CellView<Id>& cells, const CellBlock& block, std::size_t cornerCount,
+  std::size_t pointCount)
+{
+  CellDefect defect;
+  for (std::size_t cell = block.begin; cell < block.end && !defect; ++cell)
+  {
+    defect = checkCell(cells, cell, cornerCount, pointCount);
+  }
+  return defect;
+}
+
+/// Fills in the block; false if it has a defect.
+template <typename Id>
+bool summarize(
+  const CellView<Id>& cells, std::size_t cornerCount, std::size_t pointCount, CellBlock& block)
+{
+  const OffsetKinds kinds = classifyOffsets(cells.offsets + block.begin, block.end - block.begin);
+  const std::int64_t begin = cells.offsets[block.begin];
+  const std::int64_t end = cells.offsets[block.end];
+  if (!kinds.areAscending || begin < 0 || end > static_cast<std::int64_t>(cornerCount))
+  {
+    return false;
+  }
+  block.hasOnlyTriangles = kinds.areOfTriangles;
+  if (begin == end)
+  {
+    return true;
+  }
+  const IdRange range = findRange(cells.corners + begin, static_cast<std::size_t>(end - begin));
+  block.firstPoint = range.first;
+  block.lastPoint = range.last;
+  return range.first >= 0 && static_cast<std::size_t>(range.last) < pointCount;
+}
+
+bool arePointsFinite(const TupleSpan& points, const Parallel& parallel)
 {
   std::atomic<bool> result{ true };
   forEachChunk(parallel, points.size, PointsPerChunk,
     [&](std::size_t begin, std::size_t end)
     {
-      // Any infinity or NaN makes the sum of 0 * x a NaN; no branch for each point.
-      double sum = 0.0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Vec3 p = points[i];
-        sum += (0.0 * p.x + 0.0 * p.y) + 0.0 * p.z;
-      }
-      if (sum != 0.0)
+      const std::size_t first = 3 * begin;
+      const std::size_t count = 3 * (end - begin);
+      if (!(points.isDouble ? areFinite(static_cast<const double*>(points.data) + first, count)
+                            : areFinite(static_cast<const float*>(points.data) + first, count)))
       {
         result = false;
       }
@@ -67,58 +97,39 @@ bool areFinite(const TupleSpan& points, const Parallel& parallel)
 }
 }
 
-std::vector<CellBlock> findBlocks(const CellSpan& cells, const Parallel& parallel)
+CheckedCells checkCells(const CellSpan& cells, std::size_t pointCount, const Parallel& parallel)
 {
   const std::size_t count = cellCount(cells);
-  std::vector<CellBlock> blocks(chunkCount(count, CellsPerBlock));
-  visit(cells,
-    [&](auto view)
-    {
-      using Id = std::decay_t<decltype(*view.corners)>;
-      forEachChunk(parallel, count, CellsPerBlock,
-        [&](std::size_t begin, std::size_t end)
-        {
-          Id first = std::numeric_limits<Id>::max();
-          Id last = std::numeric_limits<Id>::lowest();
-          for (Id i = view.offsets[begin]; i < view.offsets[end]; ++i)
-          {
-            first = std::min(first, view.corners[i]);
-            last = std::max(last, view.corners[i]);
-          }
-          const bool isEmpty = first > last;
-          blocks[begin / CellsPerBlock] = { begin, end, isEmpty ? 0 : first, isEmpty ? -1 : last };
-        });
-    });
-  return blocks;
-}
-
-CellDefect findDefect(const CellSpan& cells, std::size_t pointCount, const Parallel& parallel)
-{
-  const std::size_t count = cellCount(cells);
-  std::vector<CellDefect> defects(chunkCount(count, CellsPerBlock));
+  CheckedCells result;
+  result.blocks.resize(chunkCount(count, CellsPerBlock));
+  std::vector<CellDefect> defects(result.blocks.size());
   visit(cells,
     [&](auto view)
     {
       forEachChunk(parallel, count, CellsPerBlock,
         [&](std::size_t begin, std::size_t end)
         {
-          CellDefect& defect = defects[begin / CellsPerBlock];
-          for (std::size_t cell = begin; cell < end && !defect; ++cell)
+          CellBlock& block = result.blocks[begin / CellsPerBlock];
+          block.begin = begin;
+          block.end = end;
+          if (!summarize(view, cells.connectivity.size, pointCount, block))
           {
-            defect = checkCell(view, cell, cells.connectivity.size, pointCount);
+            defects[begin / CellsPerBlock] =
+              findDefect(view, block, cells.connectivity.size, pointCount);
           }
         });
     });
   const auto first = std::find_if(
     defects.begin(), defects.end(), [](const CellDefect& d) { return static_cast<bool>(d); });
-  return first == defects.end() ? CellDefect{} : *first;
+  result.defect = first == defects.end() ? CellDefect{} : *first;
+  return result;
 }
 
 std::vector<unsigned char> findNonFinite(
   const TupleSpan& points, const CellSpan& cells, const Parallel& parallel)
 {
   std::vector<unsigned char> result;
-  if (areFinite(points, parallel))
+  if (arePointsFinite(points, parallel))
   {
     return result;
   }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cells in blocks, with the range of the points each block names
+ * @brief cells in blocks, checked, with the range of the points each block names
  *
  * One pass over the cells, in parallel. It finds cells that name points that do
- * not exist, and lets later passes that want only some of the points skip the
- * blocks that name none of them.
+ * not exist, and what lets later passes go through a block fast: whether it has
+ * only triangles, and between which points lie all that it names.
  */
 #ifndef lambent_CellBlocks_h
 #define lambent_CellBlocks_h
@@ -23,8 +23,9 @@ namespace lambent
 /// -1 if they name none).
 struct CellBlock
 {
-  std::size_t begin, end;
-  std::int64_t firstPoint, lastPoint;
+  std::size_t begin = 0, end = 0;
+  std::int64_t firstPoint = 0, lastPoint = -1;
+  bool hasOnlyTriangles = false;
 
   /// True where the block may name a point in [begin, end).
   bool touches(std::int64_t beginPoint, std::int64_t endPoint) const
@@ -50,11 +51,14 @@ struct CellDefect
   explicit operator bool() const { return this->kind != None; }
 };
 
-/// The blocks of a list whose cells are known to be sound.
-std::vector<CellBlock> findBlocks(const CellSpan& cells, const Parallel& parallel);
+struct CheckedCells
+{
+  CellDefect defect; ///< the first one
+  std::vector<CellBlock> blocks;
+};
 
-/// The first defect in a list whose points are 0 to pointCount - 1.
-CellDefect findDefect(const CellSpan& cells, std::size_t pointCount, const Parallel& parallel);
+/// Checks a list whose points are 0 to pointCount - 1.
+CheckedCells checkCells(const CellSpan& cells, std::size_t pointCount, const Parallel& parallel);
 
 /// One entry per cell, not 0 where the cell has a point with a coordinate that is
 /// infinite or not a number; empty if all points are finite.

@@ -28,13 +28,16 @@
  * full turn, and Max's vector is turned to the side of N; so the sum does not
  * depend on how a plane region is cut into polygons.
  *
- * A face whose |N|^2 is zero or not finite adds nothing. So do, with Angle and
- * Max, corners at edges of no length.
+ * A face whose |N|^2 is zero (or so small that binary64 cannot hold its digits) or
+ * not finite adds nothing. So do, with Angle and Max, corners at edges of no length.
+ *
+ * Lengths are divided by as a product with 1 / length: one division, not three.
+ * Angles are arctangents; see CornerAngles.h.
  */
 #ifndef lambent_NormalContribution_h
 #define lambent_NormalContribution_h
 
-#include "Elementary.h"
+#include "CornerAngles.h"
 #include "ImageContract.h"
 
 #include <algorithm>
@@ -52,27 +55,21 @@ enum class Weighting
   Max
 };
 
-/// False for zero, infinity, and what is not a number.
+/// False for zero, subnormal numbers, infinity, and what is not a number.
 inline bool isUsableSquare(double squaredLength)
 {
-  return squaredLength > 0.0 && squaredLength <= std::numeric_limits<double>::max();
+  return squaredLength >= std::numeric_limits<double>::min() &&
+    squaredLength <= std::numeric_limits<double>::max();
 }
 
-/// The angle between two edges of these lengths with this scalar product.
-inline double angleBetween(double scalarProduct, double lengths)
-{
-  return arcCosine(std::max(-1.0, std::min(scalarProduct / lengths, 1.0)));
-}
-
-/// Calls add(corner, compute) for the corners 0, 1, 2 of a triangle; compute() gives
-/// the contribution, and need not be called where that is not wanted.
+/// Calls add(corner, term) for the corners 0, 1, 2 of a triangle.
 template <Weighting weighting, typename Add>
 inline void contributeTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Add&& add)
 {
   const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
   const Vec3 bc = c - b;
-  const Vec3 ca = a - c;
-  const Vec3 area = cross(ab, c - a);
+  const Vec3 area = cross(ab, ac);
   const double square = dot(area, area);
   if (!isUsableSquare(square))
   {
@@ -80,35 +77,34 @@ inline void contributeTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Add&
   }
   if constexpr (weighting == Weighting::Area)
   {
-    add(0, [&] { return area; });
-    add(1, [&] { return area; });
-    add(2, [&] { return area; });
+    add(0, area);
+    add(1, area);
+    add(2, area);
   }
   else if constexpr (weighting == Weighting::Uniform)
   {
     const Vec3 normal = area * (1.0 / std::sqrt(square));
-    add(0, [&] { return normal; });
-    add(1, [&] { return normal; });
-    add(2, [&] { return normal; });
+    add(0, normal);
+    add(1, normal);
+    add(2, normal);
   }
   else if constexpr (weighting == Weighting::Angle)
   {
-    const Vec3 normal = area * (1.0 / std::sqrt(square));
-    const double abLength = length(ab);
-    const double bcLength = length(bc);
-    const double caLength = length(ca);
-    add(0, [&] { return normal * angleBetween(-dot(ab, ca), abLength * caLength); });
-    add(1, [&] { return normal * angleBetween(-dot(bc, ab), bcLength * abLength); });
-    add(2, [&] { return normal * angleBetween(-dot(ca, bc), caLength * bcLength); });
+    const double areaLength = std::sqrt(square);
+    const Vec3 normal = area * (1.0 / areaLength);
+    const TriangleAngles angles = anglesOf(areaLength, dot(ab, ac), -dot(ab, bc), dot(ac, bc));
+    add(0, normal * angles.a);
+    add(1, normal * angles.b);
+    add(2, normal * angles.c);
   }
   else
   {
     const double abSquare = dot(ab, ab);
     const double bcSquare = dot(bc, bc);
-    const double caSquare = dot(ca, ca);
-    add(0, [&] { return area * (1.0 / (abSquare * caSquare)); });
-    add(1, [&] { return area * (1.0 / (bcSquare * abSquare)); });
-    add(2, [&] { return area * (1.0 / (caSquare * bcSquare)); });
+    const double acSquare = dot(ac, ac);
+    add(0, area * (1.0 / (abSquare * acSquare)));
+    add(1, area * (1.0 / (bcSquare * abSquare)));
+    add(2, area * (1.0 / (acSquare * bcSquare)));
   }
 }
 
@@ -167,12 +163,12 @@ inline Vec3 cornerContribution(const Vec3& area, const Vec3& u, const Vec3& v)
     return corner * ((isReflex ? -1.0 : 1.0) / squares);
   }
   constexpr double fullTurn = 6.283185307179586;
-  const double angle = angleBetween(dot(u, v), length(u) * length(v));
+  const double angle = angleOf(length(corner), dot(u, v));
   return normal * (isReflex ? fullTurn - angle : angle);
 }
 
 /**
- * Calls add(point id, compute) for the corners of a face, in their order. A point
+ * Calls add(point id, term) for the corners of a face, in their order. A point
  * that is named twice in a row counts once. `scratch` keeps its memory from
  * one call to the next.
  */
@@ -195,19 +191,15 @@ inline void contributePolygon(
   if (count == 3)
   {
     contributeTriangle<weighting>(points[scratch[0]], points[scratch[1]], points[scratch[2]],
-      [&](int i, auto&& compute) { add(scratch[i], compute); });
+      [&](int i, const Vec3& term) { add(scratch[i], term); });
     return;
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    add(scratch[i],
-      [&]
-      {
-        const Vec3 p = points[scratch[i]];
-        const Vec3 u = points[scratch[i + 1 < count ? i + 1 : 0]] - p;
-        const Vec3 v = points[scratch[i > 0 ? i - 1 : count - 1]] - p;
-        return cornerContribution<weighting>(area, u, v);
-      });
+    const Vec3 p = points[scratch[i]];
+    const Vec3 u = points[scratch[i + 1 < count ? i + 1 : 0]] - p;
+    const Vec3 v = points[scratch[i > 0 ? i - 1 : count - 1]] - p;
+    add(scratch[i], cornerContribution<weighting>(area, u, v));
   }
 }
 }

@@ -2,126 +2,162 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointNormals.h"
 
-#include "CellBlocks.h"
+#include "NormalKernel.h"
+#include "PointSums.h"
+#include "VectorTarget.h"
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 namespace lambent
 {
 namespace
 {
+/// Where range i of several begins.
+std::int64_t rangeBegin(std::size_t pointCount, std::size_t i, std::size_t ranges)
+{
+  return static_cast<std::int64_t>(pointCount * i / ranges);
+}
+
+/// How often a block is walked on average.
+double visitsPerBlock(
+  const std::vector<CellBlock>& blocks, std::size_t pointCount, std::size_t ranges)
+{
+  std::size_t visits = 0;
+  for (std::size_t i = 0; i < ranges; ++i)
+  {
+    visits += static_cast<std::size_t>(std::count_if(blocks.begin(), blocks.end(),
+      [&](const CellBlock& block)
+      {
+        return block.touches(
+          rangeBegin(pointCount, i, ranges), rangeBegin(pointCount, i + 1, ranges));
+      }));
+  }
+  return static_cast<double>(visits) / static_cast<double>(std::max<std::size_t>(blocks.size(), 1));
+}
+
 /// Into how many ranges to divide the points. Several for each worker even out the
-/// work, but a block is walked once for each range that it touches: where blocks name
-/// points from everywhere, one range for each worker is least.
+/// work and keep the sums in the cache, but a block is walked once for each range that
+/// it touches: where blocks name points from everywhere, one range for each worker is
+/// least.
 std::size_t countRanges(
   const std::vector<CellBlock>& blocks, std::size_t pointCount, const Parallel& parallel)
 {
-  constexpr double rangesPerWorker = 4.0;
-  constexpr double mostExtraVisits = 0.5; // per block
-  const double workers = parallel.workers();
-  double spread = 0.0; // the part of all points that lies between a block's first and last
-  for (const CellBlock& block : blocks)
+  constexpr double mostVisitsPerBlock = 1.6;
+  const auto workers = static_cast<std::size_t>(parallel.workers());
+  std::size_t ranges = 4 * workers;
+  while (ranges > workers && visitsPerBlock(blocks, pointCount, ranges) > mostVisitsPerBlock)
   {
-    spread += static_cast<double>(std::max<std::int64_t>(block.lastPoint - block.firstPoint, 0)) /
-      static_cast<double>(blocks.size() * pointCount);
+    ranges /= 2;
   }
-  const double ranges = spread > 0.0 ? std::floor(mostExtraVisits / spread) : workers;
-  return static_cast<std::size_t>(
-    workers > 1.0 ? std::clamp(ranges, workers, rangesPerWorker * workers) : 1.0);
+  return ranges;
 }
-
-/// What one worker sums up: the points begin to end - 1.
-struct PointRange
-{
-  std::int64_t begin, end;
-  std::vector<Vec3>& sums;
-
-  template <typename Id>
-  bool contains(Id point) const
-  {
-    return static_cast<std::uint64_t>(point - this->begin) <
-      static_cast<std::uint64_t>(this->end - this->begin);
-  }
-
-  template <typename Id, typename Compute>
-  void add(Id point, Compute&& compute) const
-  {
-    if (this->contains(point))
-    {
-      Vec3& sum = this->sums[static_cast<std::size_t>(point - this->begin)];
-      sum = sum + compute();
-    }
-  }
-};
 
 template <Weighting weighting, typename Points, typename Id>
 void addFace(const Points& points, const Id* corners, std::size_t size, std::vector<Id>& scratch,
-  const PointRange& range)
+  PointSums& sums)
 {
-  if (std::none_of(corners, corners + size, [&](Id point) { return range.contains(point); }))
+  if (std::all_of(
+        corners, corners + size, [&](Id point) { return sums.place(point) == sums.size(); }))
   {
     return;
   }
   if (size == 3)
   {
     contributeTriangle<weighting>(points[corners[0]], points[corners[1]], points[corners[2]],
-      [&](int i, auto&& compute) { range.add(corners[i], compute); });
+      [&](int i, const Vec3& term) { sums.add(corners[i], term); });
   }
   else
   {
     contributePolygon<weighting>(
-      points, corners, size, scratch, [&](Id point, auto&& compute) { range.add(point, compute); });
+      points, corners, size, scratch, [&](Id point, const Vec3& term) { sums.add(point, term); });
   }
 }
 
+/// Goes through the faces for one range of points after the other.
+template <Weighting weighting, typename Points, typename Cells>
+class Summation
+{
+public:
+  Summation(const Faces& faces, const Points& points, const Cells& cells)
+    : AllFaces(faces)
+    , AllPoints(points)
+    , AllCells(cells)
+  {
+  }
+
+  void addUp(PointSums& sums, bool useKernels) const
+  {
+    std::vector<std::decay_t<decltype(*this->AllCells.corners)>> scratch;
+    const std::int64_t end = sums.begin() + static_cast<std::int64_t>(sums.size());
+    for (const CellBlock& block : this->AllFaces.blocks)
+    {
+      if (!block.touches(sums.begin(), end))
+      {
+        continue;
+      }
+      std::size_t face = block.begin;
+      if (useKernels && block.hasOnlyTriangles && this->AllFaces.skip.empty())
+      {
+        face += addTriangles(weighting, this->AllFaces.points, this->AllCells.cell(face),
+          block.end - block.begin, sums);
+      }
+      for (; face < block.end; ++face)
+      {
+        if (!this->AllFaces.isSkipped(face))
+        {
+          addFace<weighting>(this->AllPoints, this->AllCells.cell(face),
+            this->AllCells.cellSize(face), scratch, sums);
+        }
+      }
+    }
+  }
+
+private:
+  const Faces& AllFaces;
+  const Points& AllPoints;
+  const Cells& AllCells;
+};
+
 void writeNormal(const Vec3& sum, float sign, float* normal)
 {
-  const bool isUsable = isUsableSquare(dot(sum, sum));
-  const Vec3 unit = isUsable ? normalized(sum) : Vec3(0.0);
+  const double square = dot(sum, sum);
+  const bool isUsable = isUsableSquare(square);
+  const Vec3 unit = isUsable ? sum * (1.0 / std::sqrt(square)) : Vec3(0.0);
   for (int i = 0; i < 3; ++i)
   {
     normal[i] = isUsable ? sign * static_cast<float>(unit[i]) : 0.0f; // never -0 for nothing
   }
 }
 
+void writeNormals(const PointSums& sums, float sign, bool useKernels, float* normals)
+{
+  normals += 3 * sums.begin();
+  std::size_t i = useKernels ? writeNormals(sums.data(), sums.size(), sign, normals) : 0;
+  for (; i < sums.size(); ++i)
+  {
+    const PointSum& sum = sums.data()[i];
+    writeNormal({ sum.x, sum.y, sum.z }, sign, normals + 3 * i);
+  }
+}
+
 template <Weighting weighting>
 void sumUp(const Faces& faces, float sign, const Parallel& parallel, float* normals)
 {
-  const std::vector<CellBlock> blocks = findBlocks(faces.cells, parallel);
-  const std::size_t ranges = countRanges(blocks, faces.points.size, parallel);
-  std::vector<std::vector<Vec3>> sums(static_cast<std::size_t>(parallel.workers()));
-
+  const bool useKernels = vectorTargetInUse() != "plain";
+  const std::size_t ranges = countRanges(faces.blocks, faces.points.size, parallel);
+  std::vector<PointSums> sums(static_cast<std::size_t>(parallel.workers()));
   visit(faces.points, faces.cells,
     [&](auto points, auto cells)
     {
-      using Id = std::decay_t<decltype(*cells.corners)>;
+      const Summation<weighting, decltype(points), decltype(cells)> summation(faces, points, cells);
       forEach(parallel, 0, ranges,
         [&](int worker, std::size_t i)
         {
-          const PointRange range{ static_cast<std::int64_t>(faces.points.size * i / ranges),
-            static_cast<std::int64_t>(faces.points.size * (i + 1) / ranges), sums[worker] };
-          range.sums.assign(static_cast<std::size_t>(range.end - range.begin), Vec3(0.0));
-          std::vector<Id> scratch;
-          for (const CellBlock& block : blocks)
-          {
-            if (!block.touches(range.begin, range.end))
-            {
-              continue;
-            }
-            for (std::size_t face = block.begin; face < block.end; ++face)
-            {
-              if (!faces.isSkipped(face))
-              {
-                addFace<weighting>(points, cells.cell(face), cells.cellSize(face), scratch, range);
-              }
-            }
-          }
-          for (std::size_t j = 0; j < range.sums.size(); ++j)
-          {
-            writeNormal(range.sums[j], sign, normals + 3 * (range.begin + j));
-          }
+          sums[worker].reset(
+            rangeBegin(faces.points.size, i, ranges), rangeBegin(faces.points.size, i + 1, ranges));
+          summation.addUp(sums[worker], useKernels);
+          writeNormals(sums[worker], sign, useKernels, normals);
         });
     });
 }

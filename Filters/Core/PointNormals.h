@@ -24,6 +24,7 @@
 #ifndef lambent_PointNormals_h
 #define lambent_PointNormals_h
 
+#include "CellBlocks.h"
 #include "CellView.h"
 #include "Chunks.h"
 #include "NormalContribution.h"
@@ -38,6 +39,8 @@ struct Faces
 {
   TupleSpan points;
   CellSpan cells;
+  /// Of these cells, as checkCells() gives them.
+  std::vector<CellBlock> blocks;
   /// Not 0 for a face that counts for nothing; empty: all count.
   std::vector<unsigned char> skip;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharpEdges.h"
 
+#include "Elementary.h"
+
 #include <algorithm>
 #include <numeric>
 

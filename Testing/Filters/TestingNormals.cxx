@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestingNormals.h"
 
-#include "Elementary.h"
+#include "CornerAngles.h"
 #include "vtkLambentNormals.h"
 
 #include <vtkAlgorithm.h>
@@ -183,11 +183,32 @@ Vector areaVector(const std::vector<Vector>& corners)
   return sum;
 }
 
-Vector contribution(int weighting, const Vector& area, bool isTriangle, Vector u, Vector v)
+// The angles of a triangle are found together, others one by one.
+double angleAt(const std::vector<Vector>& corners, const Vector& area, std::size_t i)
 {
+  const std::size_t n = corners.size();
+  const auto edge = [&](std::size_t from, std::size_t to)
+  { return corners[to % n] - corners[from % n]; };
+  const auto product = [&](std::size_t k) { return dot(edge(k, k + 1), edge(k, k + n - 1)); };
+  if (n == 3)
+  {
+    const lambent::TriangleAngles angles =
+      lambent::anglesOf(std::sqrt(dot(area, area)), product(0), product(1), product(2));
+    return i == 0 ? angles.a : (i == 1 ? angles.b : angles.c);
+  }
+  const Vector corner = cross(edge(i, i + 1), edge(i, i + n - 1));
+  const double angle = lambent::angleOf(std::sqrt(dot(corner, corner)), product(i));
+  return dot(corner, area) < 0.0 ? 6.283185307179586 - angle : angle;
+}
+
+Vector contribution(
+  int weighting, const std::vector<Vector>& corners, const Vector& area, std::size_t i)
+{
+  const std::size_t n = corners.size();
   const Vector normal = area * (1.0 / std::sqrt(dot(area, area)));
-  const Vector corner = isTriangle ? area : cross(u, v);
-  const bool isReflex = dot(corner, area) < 0.0;
+  const Vector u = corners[(i + 1) % n] - corners[i];
+  const Vector v = corners[(i + n - 1) % n] - corners[i];
+  const Vector corner = n == 3 ? area : cross(u, v);
   const double squares = dot(u, u) * dot(v, v);
   switch (weighting)
   {
@@ -196,13 +217,9 @@ Vector contribution(int weighting, const Vector& area, bool isTriangle, Vector u
     case vtkLambentNormals::AREA:
       return area;
     case vtkLambentNormals::MAX:
-      return squares > 0.0 ? corner * ((isReflex ? -1.0 : 1.0) / squares) : Vector{};
+      return squares > 0.0 ? corner * ((dot(corner, area) < 0.0 ? -1.0 : 1.0) / squares) : Vector{};
     default:
-    {
-      const double cosine = dot(u, v) / (std::sqrt(dot(u, u)) * std::sqrt(dot(v, v)));
-      const double angle = lambent::arcCosine(std::clamp(cosine, -1.0, 1.0));
-      return squares > 0.0 ? normal * (isReflex ? 6.283185307179586 - angle : angle) : Vector{};
-    }
+      return squares > 0.0 ? normal * angleAt(corners, area, i) : Vector{};
   }
 }
 }
@@ -223,11 +240,9 @@ std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting)
     {
       continue;
     }
-    const std::size_t n = face.size();
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < face.size(); ++i)
     {
-      const Vector term = contribution(weighting, area, n == 3, corners[(i + 1) % n] - corners[i],
-        corners[(i + n - 1) % n] - corners[i]);
+      const Vector term = contribution(weighting, corners, area, i);
       Vector& sum = sums[face[i]];
       sum = { sum[0] + term[0], sum[1] + term[1], sum[2] + term[2] };
     }
@@ -238,7 +253,7 @@ std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting)
     const double length = std::sqrt(dot(sum, sum));
     for (double s : sum)
     {
-      normals.push_back(length > 0.0 ? static_cast<float>(s / length) : 0.0f);
+      normals.push_back(length > 0.0 ? static_cast<float>(s * (1.0 / length)) : 0.0f);
     }
   }
   return normals;

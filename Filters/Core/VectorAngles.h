@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief CornerAngles.h for several triangles at a time, and vectors, for kernels
+ *
+ * Included once for each target, hence the toggled guard.
+ */
+#if defined(lambent_VectorAngles_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef lambent_VectorAngles_h
+#undef lambent_VectorAngles_h
+#else
+#define lambent_VectorAngles_h
+#endif
+
+#include "CornerAngles.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Doubles, at most eight of them.
+constexpr std::size_t lanesAtMost = 8;
+using D = hn::CappedTag<double, lanesAtMost>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr D d;
+using DI = hn::RebindToSigned<D>;
+using I = hn::Vec<DI>;
+constexpr DI di;
+using DI32 = hn::Rebind<std::int32_t, D>;
+constexpr DI32 di32;
+using DF = hn::Rebind<float, D>;
+constexpr DF df;
+constexpr std::size_t lanes = hn::MaxLanes(D());
+
+V toDouble(V value)
+{
+  return value;
+}
+
+V toDouble(hn::Vec<DF> value)
+{
+  return hn::PromoteTo(d, value);
+}
+
+struct Vector3
+{
+  V x, y, z;
+};
+
+Vector3 operator-(const Vector3& a, const Vector3& b)
+{
+  return { hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z) };
+}
+
+Vector3 operator*(const Vector3& a, V s)
+{
+  return { hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s) };
+}
+
+V dot(const Vector3& a, const Vector3& b)
+{
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+
+V difference(V a, V b, V c, V e)
+{
+  return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
+}
+
+Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return { difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
+    difference(a.x, b.y, a.y, b.x) };
+}
+
+V inverse(V a)
+{
+  return hn::Div(hn::Set(d, 1.0), a);
+}
+
+M isUsable(V square)
+{
+  return hn::And(hn::Ge(square, hn::Set(d, std::numeric_limits<double>::min())),
+    hn::Le(square, hn::Set(d, std::numeric_limits<double>::max())));
+}
+
+/// a + b t
+V line(double a, double b, V t)
+{
+  return hn::Add(hn::Set(d, a), hn::Mul(t, hn::Set(d, b)));
+}
+
+struct VectorTurnedBack
+{
+  V quarters, y, x;
+};
+
+/// lambent::turnBack()
+VectorTurnedBack turnBack(V y, V x)
+{
+  const V tangent = hn::Set(d, tangentOfEighth);
+  const M isFlat = hn::Le(y, hn::Mul(tangent, x));
+  const M isSteep = hn::Le(x, hn::Mul(tangent, y)); // not both, since y > 0
+  const auto choose = [&](V flat, V steep, V other)
+  { return hn::IfThenElse(isFlat, flat, hn::IfThenElse(isSteep, steep, other)); };
+  return { choose(hn::Zero(d), hn::Set(d, 2.0), hn::Set(d, 1.0)),
+    choose(y, hn::Neg(x), hn::Sub(y, x)), choose(x, y, hn::Add(y, x)) };
+}
+
+/// lambent::turnForth()
+V turnForth(V quarters, V t)
+{
+  constexpr const double* c = arcTangentTail;
+  const V z = hn::Mul(t, t);
+  const V z2 = hn::Mul(z, z);
+  const V z4 = hn::Mul(z2, z2);
+  const V low = hn::Add(hn::Add(line(c[0], c[1], z), hn::Mul(z2, line(c[2], c[3], z))),
+    hn::Mul(z4, hn::Add(line(c[4], c[5], z), hn::Mul(z2, line(c[6], c[7], z)))));
+  const V high = hn::Add(line(c[8], c[9], z), hn::Mul(z2, hn::Set(d, c[10])));
+  const V tail = hn::Add(low, hn::Mul(hn::Mul(z4, z4), high));
+  const V rest = hn::Add(t, hn::Mul(t, hn::Mul(z, tail)));
+  return hn::Add(hn::Mul(quarters, hn::Set(d, 0.25 * piHigh)),
+    hn::Add(rest, hn::Mul(quarters, hn::Set(d, 0.25 * piLow))));
+}
+
+/// lambent::anglesOf(): of a, b and c.
+Vector3 anglesOf(V y, V xa, V xb, V xc)
+{
+  const M isLargestA = hn::And(hn::Le(xa, xb), hn::Le(xa, xc));
+  const M isLargestB = hn::AndNot(isLargestA, hn::Le(xb, xc));
+  const M isLargestC = hn::Not(hn::Or(isLargestA, isLargestB));
+  const VectorTurnedBack p = turnBack(y, hn::IfThenElse(isLargestA, xb, xa));
+  const VectorTurnedBack q = turnBack(y, hn::IfThenElse(isLargestC, xb, xc));
+  const V product = hn::Mul(p.x, q.x);
+  const M isHeld = hn::Le(product, hn::Set(d, std::numeric_limits<double>::max()));
+  const V i = inverse(product);
+  const V first = turnForth(p.quarters, hn::Mul(hn::Mul(p.y, q.x), i));
+  const V second = turnForth(q.quarters, hn::Mul(hn::Mul(q.y, p.x), i));
+  const V largest = hn::Sub(hn::Set(d, piHigh), hn::Add(first, second));
+  return { hn::IfThenElseZero(isHeld, hn::IfThenElse(isLargestA, largest, first)),
+    hn::IfThenElseZero(
+      isHeld, hn::IfThenElse(isLargestB, largest, hn::IfThenElse(isLargestA, first, second))),
+    hn::IfThenElseZero(isHeld, hn::IfThenElse(isLargestC, largest, second)) };
+}
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+#endif
