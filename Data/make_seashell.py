@@ -135,7 +135,6 @@ def write(mesh, name):
     writer.SetFileName(name)
     writer.SetIdTypeToInt32()
     writer.SetCompressionLevel(9)
-    writer.EncodeAppendedDataOff()
     if not writer.Write():
         sys.exit("could not write " + name)
 
