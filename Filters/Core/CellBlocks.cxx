@@ -15,7 +15,7 @@ namespace
 {
 // Small enough to share out evenly and to name a narrow range of points, large
 // enough that a block costs nothing beside its cells.
-constexpr std::size_t CellsPerBlock = 256;
+constexpr std::size_t CellsPerBlock = 512;
 constexpr std::size_t PointsPerChunk = 16384;
 
 template <typename Id>

@@ -17,6 +17,9 @@
  *    those that name none of its points, and adds what falls into the range.
  * 3. It scales the sums of its range to length one.
  *
+ * Blocks of nothing but triangles go through NormalKernel.h, several triangles at a
+ * time; all else, and everything where no vectors are wanted, one face at a time.
+ *
  * No sum is shared, so nothing is locked, and each sum sees its terms in the order
  * of the serial loop. The price is that a face that has corners in two ranges is
  * computed twice; meshes name neighbouring points in neighbouring faces, so few are.
