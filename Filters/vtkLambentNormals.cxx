@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambentNormals.h"
 
+#include "Abort.h"
 #include "FacesFromVTK.h"
 #include "PolyDataRewrite.h"
 #include "SMPParallel.h"
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <new>
@@ -24,15 +24,6 @@
 namespace
 {
 constexpr const char* NormalsName = "Normals";
-
-bool isAborted(vtkAlgorithm* filter)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
-}
 
 vtkSmartPointer<vtkFloatArray> makeNormals(vtkIdType count)
 {

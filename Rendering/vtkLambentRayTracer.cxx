@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambentRayTracer.h"
 
+#include "Abort.h"
 #include "CameraFrame.h"
 #include "FilterScene.h"
 #include "ImageContract.h"
@@ -24,7 +25,6 @@
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkVersion.h"
 
 #include <vtksys/SystemInformation.hxx>
 
@@ -41,15 +41,6 @@ struct vtkLambentRayTracer::Internals
 
 namespace
 {
-bool isAborted(vtkAlgorithm* filter)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
-}
-
 /// Refuse what the machine's memory certainly cannot hold. Most systems would
 /// promise it all the same and end the process once it is written to.
 void checkMemory(double bytes)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elementary.h"
 
+#include <cmath>
 #include <limits>
 
 namespace lambent

@@ -18,9 +18,6 @@
 #ifndef lambent_Elementary_h
 #define lambent_Elementary_h
 
-#include <algorithm>
-#include <cmath>
-
 namespace lambent
 {
 /**
@@ -52,59 +49,6 @@ double tanDegrees(double angle);
  * doubles: ln(m) = 2 artanh((m - 1) / (m + 1)), and Taylor's series for both.
  */
 double power(double base, double exponent);
-
-namespace detail
-{
-/**
- * (asin(s) - s) / s^3 as a polynomial in z = s^2, 0 <= z <= 1/4. It agrees with the
- * function in the 13 Chebyshev nodes of that interval (solved in 60 digits, then
- * rounded to binary64), which leaves a relative error in asin(s) of 2^-57.
- * The terms are paired (Estrin's scheme) so that a processor can overlap them.
- */
-inline double arcSineTail(double z)
-{
-  const double z2 = z * z;
-  const double z4 = z2 * z2;
-  const double p0 = 0.16666666666666669 + z * 0.07499999999998433;
-  const double p1 = 0.04464285714635543 + z * 0.030381944138531247;
-  const double p2 = 0.02237217294214989 + z * 0.017352392720869973;
-  const double p3 = 0.013971212973552933 + z * 0.011479177415184906;
-  const double p4 = 0.01032281435018578 + z * 0.005457506718640358;
-  const double p5 = 0.01740087944269402 + z * -0.014851887071247204;
-  const double p6 = 0.028757851367421566;
-  const double low = (p0 + z2 * p1) + z4 * (p2 + z2 * p3);
-  const double high = (p4 + z2 * p5) + z4 * p6;
-  return low + (z4 * z4) * high;
-}
-}
-
-/**
- * The angle in radians, between 0 and pi, whose cosine is x.
- *
- * Domain: [-1, 1]; anything else gives NaN. Accuracy: 1.5 ulp; exact (rounded
- * correctly) at -1, 0 and 1. Made to be called in inner loops: one square root, no
- * division and no branch.
- *
- * Source: acos(x) = pi/2 - asin(x) for |x| <= 1/2, and for larger |x| the half
- * angle, acos(|x|) = 2 asin(sqrt((1 - |x|) / 2)).
- */
-inline double arcCosine(double x)
-{
-  constexpr double halfPiHigh = 1.5707963267948966;
-  constexpr double halfPiLow = 6.123233995736766e-17;
-  const double magnitude = std::fabs(x);
-  // The one that is meant is always the smaller; its root, for |x| <= 1/2, is |x|.
-  const double z = std::min(x * x, 0.5 * (1.0 - magnitude));
-  const double s = std::sqrt(z);
-  const double arcSine = s + s * (z * detail::arcSineTail(z));
-
-  // How many quarter turns to start from, and how often to add the arc sine.
-  const double sign = std::copysign(1.0, x);
-  const double outer = static_cast<double>(magnitude > 0.5);
-  const double turns = 1.0 - sign * outer;
-  const double times = sign * (3.0 * outer - 1.0);
-  return turns * halfPiHigh + (times * arcSine + turns * halfPiLow);
-}
 }
 
 #endif

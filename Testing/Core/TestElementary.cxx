@@ -179,44 +179,6 @@ TEST_F(Elementary, SymmetriesHoldToTheLastBit)
   }
 }
 
-TEST_F(Elementary, ArcCosineIsAccurate)
-{
-  Worst worst;
-  const auto compare = [&](double x)
-  { worst.take(ulps(lambent::arcCosine(x), acosl(static_cast<long double>(x))), x); };
-  for (int i = 0; i < Arguments; ++i)
-  {
-    compare(this->uniform(-1.0, 1.0));
-  }
-  for (int i = 0; i < Arguments / 4; ++i)
-  {
-    const double small =
-      std::ldexp(this->uniform(0.5, 1.0), -static_cast<int>(this->uniform(0.0, 53.0)));
-    for (double x : { small, -small, 1.0 - small, small - 1.0, 0.5 + 0.5 * small })
-    {
-      compare(x);
-    }
-  }
-  for (double x : { 0.5, std::nextafter(0.5, 0.0), std::nextafter(0.5, 1.0), -0.5, 1e-300, DBL_MIN,
-         std::nextafter(1.0, 0.0), std::nextafter(-1.0, 0.0) })
-  {
-    compare(x);
-  }
-  EXPECT_TRUE(isWithin(worst, 1.5));
-}
-
-TEST(ElementaryExact, ArcCosine)
-{
-  EXPECT_EQ(lambent::arcCosine(1.0), 0.0);
-  EXPECT_EQ(lambent::arcCosine(0.0), static_cast<double>(Pi / 2.0L));
-  EXPECT_EQ(lambent::arcCosine(-0.0), static_cast<double>(Pi / 2.0L));
-  EXPECT_EQ(lambent::arcCosine(-1.0), static_cast<double>(Pi));
-  for (double x : { std::nextafter(1.0, 2.0), -1.5, Infinity, -Infinity, NotANumber })
-  {
-    EXPECT_TRUE(std::isnan(lambent::arcCosine(x))) << x;
-  }
-}
-
 TEST_F(Elementary, PowerIsAccurate)
 {
   Worst whole, fractional, extreme;
