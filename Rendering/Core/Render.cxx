@@ -128,9 +128,10 @@ private:
         { this->Binner.run(from, to, *this->Filled[worker]); });
       next = end;
       pages = 0;
+      forEach(this->Workers, 0, this->Filled.size(),
+        [this](int, std::size_t k) { this->Binner.flush(*this->Filled[k]); });
       for (const auto& memory : this->Filled)
       {
-        this->Binner.flush(*memory);
         pages += memory->bins.pageCount();
       }
       if (!this->goOn(pointsShare + binningShare * next / count))

@@ -202,33 +202,6 @@ private:
 };
 }
 
-CellSizes inspect(const CellSpan& cells, const Parallel& parallel)
-{
-  const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
-  std::atomic<bool> areTriangles{ true }, areSound{ count == 0 || cells.offsets[0] == 0 };
-  forEach(parallel, 0, (count + cellsPerChunk - 1) / cellsPerChunk,
-    [&](int, std::size_t chunk)
-    {
-      bool triangles = true, sound = true;
-      const std::size_t end = std::min(count, (chunk + 1) * cellsPerChunk);
-      for (std::size_t cell = chunk * cellsPerChunk; cell < end; ++cell)
-      {
-        const std::uint64_t from = cells.offsets[cell], to = cells.offsets[cell + 1];
-        triangles &= to - from == 3;
-        sound &= from <= to && to <= cells.connectivity.size;
-      }
-      if (!triangles)
-      {
-        areTriangles = false;
-      }
-      if (!sound)
-      {
-        areSound = false;
-      }
-    });
-  return !areSound ? CellSizes::Broken : areTriangles ? CellSizes::Triangles : CellSizes::Mixed;
-}
-
 void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   std::int64_t firstCell, const Parallel& parallel, TriangleList& list)
 {

@@ -21,34 +21,18 @@
 #ifndef lambent_Triangulation_h
 #define lambent_Triangulation_h
 
+#include "CellSpan.h"
 #include "Parallel.h"
-#include "Scene.h"
 
 #include <vector>
 
 namespace lambent
 {
-/// Cell k has the points connectivity[offsets[k]] to connectivity[offsets[k + 1] - 1].
-struct CellSpan
-{
-  IndexSpan offsets; ///< one more than there are cells
-  IndexSpan connectivity;
-};
-
 enum class CellKind
 {
   Polygons,
   Strips
 };
-
-enum class CellSizes
-{
-  Triangles, ///< all of them: the connectivity is that of a Surface
-  Mixed,
-  Broken ///< offsets that decrease or reach beyond the connectivity
-};
-
-CellSizes inspect(const CellSpan& cells, const Parallel& parallel);
 
 struct TriangleList
 {
