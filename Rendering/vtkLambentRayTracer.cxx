@@ -6,13 +6,13 @@
 #include "CameraFrame.h"
 #include "FilterScene.h"
 #include "ImageContract.h"
+#include "OutputImage.h"
 #include "Render.h"
 #include "SMPParallel.h"
 #include "SceneFromVTK.h"
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,13 +20,9 @@
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <map>
@@ -38,55 +34,6 @@ struct vtkLambentRayTracer::Internals
   vtkNew<vtkLightCollection> Lights;
   std::map<int, vtkSmartPointer<vtkProperty>> InputProperties;
 };
-
-namespace
-{
-/// Refuse what the machine's memory certainly cannot hold. Most systems would
-/// promise it all the same and end the process once it is written to.
-void checkMemory(double bytes)
-{
-  constexpr double alwaysTried = 1e9;
-  if (bytes > alwaysTried)
-  {
-    vtksys::SystemInformation machine;
-    machine.RunMemoryCheck();
-    if (bytes > 1024.0 * 1024.0 * static_cast<double>(machine.GetTotalPhysicalMemory()))
-    {
-      throw std::bad_alloc();
-    }
-  }
-}
-
-/// Give the output the extent that is asked for, and its colours.
-lambent::Image allocateImage(
-  const int size[2], int scalarType, vtkInformation* outInfo, vtkImageData* output)
-{
-  int extent[6];
-  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  lambent::Image image;
-  image.width = size[0];
-  image.height = size[1];
-  image.part = { extent[0], extent[1] + 1, extent[2], extent[3] + 1 };
-
-  auto colors = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
-  const vtkIdType pixels = static_cast<vtkIdType>(image.part.width()) * image.part.height();
-  checkMemory(3.0 * pixels * colors->GetDataTypeSize());
-  colors->SetName("Color");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(pixels);
-  output->SetExtent(extent);
-  output->GetPointData()->SetScalars(colors);
-  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(colors))
-  {
-    image.bytes = bytes->GetPointer(0);
-  }
-  if (auto* floats = vtkFloatArray::SafeDownCast(colors))
-  {
-    image.floats = floats->GetPointer(0);
-  }
-  return image;
-}
-}
 
 vtkStandardNewMacro(vtkLambentRayTracer);
 vtkCxxSetObjectMacro(vtkLambentRayTracer, Camera, vtkCamera);

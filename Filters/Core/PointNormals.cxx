@@ -144,7 +144,7 @@ void writeNormals(const PointSums& sums, float sign, bool useKernels, float* nor
 template <Weighting weighting>
 void sumUp(const Faces& faces, float sign, const Parallel& parallel, float* normals)
 {
-  const bool useKernels = vectorTargetInUse() != "plain";
+  const bool useKernels = areVectorsInUse();
   const std::size_t ranges = countRanges(faces.blocks, faces.points.size, parallel);
   std::vector<PointSums> sums(static_cast<std::size_t>(parallel.workers()));
   visit(faces.points, faces.cells,

@@ -52,7 +52,7 @@ struct Settings
   std::size_t binPages = 512 * 1024; ///< of 256 bytes, before the cells are processed
   bool culling = true;               ///< drop triangles between the rays
   /// Locate, cast and shade with vectors.
-  bool kernels = vectorTargetInUse() != "plain";
+  bool kernels = areVectorsInUse();
 
   /// Every triangle against every ray, one at a time: the definition of the picture.
   static Settings bruteForce(const Window& part)

@@ -83,4 +83,10 @@ std::string vectorTargetInUse()
   const std::int64_t supported = hwy::SupportedTargets() & HWY_TARGETS;
   return isPlain() ? plain : hwy::TargetName(supported & -supported);
 }
+
+bool areVectorsInUse()
+{
+  readEnvironment();
+  return !isPlain();
+}
 }

@@ -25,8 +25,11 @@ std::vector<std::string> vectorTargets();
 /// pictures are being made.
 bool useVectorTarget(const std::string& name);
 
-/// The name of the one in use.
+/// The name of the one in use. Asks the processor, which can take a while.
 std::string vectorTargetInUse();
+
+/// Whether that is not "plain".
+bool areVectorsInUse();
 }
 
 #endif
