@@ -58,7 +58,8 @@
  * and explicit projection matrices are not supported and bring a warning. Of
  * vtkProperty the diffuse and ambient colours and coefficients, Interpolation,
  * Lighting, FrontfaceCulling and BackfaceCulling are used; opacity, specular
- * terms, textures and edges are not.
+ * terms, textures and edges are not. Shading multiplies up to six lengths, so
+ * coordinates and distances must lie between about 1e-50 and 1e50.
  *
  * @par Thanks:
  * Ray-triangle test: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle

@@ -14,8 +14,7 @@
 #endif
 
 #include "CornerAngles.h"
-
-#include <hwy/highway.h>
+#include "VectorDoubles.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,14 +27,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Doubles, at most eight of them.
-constexpr std::size_t lanesAtMost = 8;
-using D = hn::CappedTag<double, lanesAtMost>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D d;
 using DI = hn::RebindToSigned<D>;
 using I = hn::Vec<DI>;
 constexpr DI di;
@@ -43,7 +34,6 @@ using DI32 = hn::Rebind<std::int32_t, D>;
 constexpr DI32 di32;
 using DF = hn::Rebind<float, D>;
 constexpr DF df;
-constexpr std::size_t lanes = hn::MaxLanes(D());
 
 V toDouble(V value)
 {

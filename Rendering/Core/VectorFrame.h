@@ -14,8 +14,7 @@
 #endif
 
 #include "CameraFrame.h"
-
-#include <hwy/highway.h>
+#include "VectorDoubles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lambent
@@ -24,16 +23,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Doubles, at most eight of them.
-constexpr std::size_t lanesAtMost = 8;
-using D = hn::CappedTag<double, lanesAtMost>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-constexpr D d;
-constexpr std::size_t lanes = hn::MaxLanes(D());
-
 struct FrameVector
 {
   V x, y, z, w;

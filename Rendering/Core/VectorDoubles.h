@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the vectors of doubles that kernels compute with
+ *
+ * Included once for each target, hence the toggled guard.
+ */
+#if defined(lambent_VectorDoubles_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef lambent_VectorDoubles_h
+#undef lambent_VectorDoubles_h
+#else
+#define lambent_VectorDoubles_h
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Doubles, at most eight of them.
+constexpr std::size_t lanesAtMost = 8;
+using D = hn::CappedTag<double, lanesAtMost>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+constexpr D d;
+constexpr std::size_t lanes = hn::MaxLanes(D());
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+#endif
