@@ -2,27 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Binning.h"
 
+#include <hwy/cache_control.h>
+
 #include <limits>
 
 namespace lambent
 {
 namespace
 {
-/// Copy the indices [begin, end). False if one of them is no point's.
-template <typename Index>
-bool copyCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
-  std::size_t pointCount, std::int32_t* out)
-{
-  const auto* from = static_cast<const Index*>(corners.data);
-  std::uint64_t wrong = 0;
-  for (std::size_t k = begin; k < end; ++k)
-  {
-    const auto id = static_cast<std::uint64_t>(static_cast<std::int64_t>(from[k]));
-    wrong |= id >= pointCount;
-    *out++ = static_cast<std::int32_t>(id);
-  }
-  return wrong == 0;
-}
+// The kernels number points in 32 bits.
+constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 }
 
 void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
@@ -44,13 +33,8 @@ void Binning::bin(
   const Surface& surface = *part.surface;
   const std::size_t pointCount = surface.points.size;
   LatticeBoxes& boxes = memory.boxes;
-  boxes.count = static_cast<int>(end - begin);
-  const bool isSound = this->Kernels && pointCount <= std::numeric_limits<std::int32_t>::max() &&
-    (surface.corners.is64Bit
-        ? copyCorners<std::int64_t>(surface.corners, 3 * begin, 3 * end, pointCount, boxes.corners)
-        : copyCorners<std::int32_t>(
-            surface.corners, 3 * begin, 3 * end, pointCount, boxes.corners));
-  if (!isSound)
+  if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
+    !readCorners(surface.corners, begin, end, pointCount, boxes))
   {
     for (std::size_t t = begin; t < end; ++t)
     {
@@ -58,8 +42,12 @@ void Binning::bin(
     }
     return;
   }
+  if (memory.part != &part)
+  {
+    this->flush(memory);
+    memory.part = &part;
+  }
   findBoxes(this->Positions + part.firstPoint, boxes);
-  const ScreenPoint* const screen = this->Screen + part.firstPoint;
   const bool isCulled = surface.material.cullFront || surface.material.cullBack;
   const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
   for (int k = 0; k < boxes.found; ++k)
@@ -67,8 +55,18 @@ void Binning::bin(
     const Window box = this->Lattice.raysFrom(boxes.first[k], boxes.end[k]);
     const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[k] == 0;
     const std::uint32_t triangle = first + boxes.triangles[k];
-    const std::int32_t* const corners = boxes.corners + 3 * boxes.triangles[k];
-    if (isCulled || !isExact || !this->addSmall(triangle, corners, screen, box, memory))
+    if (isExact && !isCulled && box.width() <= SmallTriangles::side &&
+      box.height() <= SmallTriangles::side)
+    {
+      const std::int32_t* const corners = boxes.corners + 3 * boxes.triangles[k];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        hwy::Prefetch(surface.points.at(corners[corner])); // for flush()
+      }
+      this->addSmall({ triangle, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+        box.width(), box.height(), memory);
+    }
+    else
     {
       memory.bins.insert(triangle, box, isExact);
     }
@@ -79,36 +77,15 @@ void Binning::bin(
   }
 }
 
-/// False if the triangle is not small, or not wholly before the eye.
-bool Binning::addSmall(std::uint32_t triangle, const std::int32_t* corners,
-  const ScreenPoint* screen, const Window& box, BinningMemory& memory) const
+void Binning::addSmall(
+  const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const
 {
-  if (box.width() > SmallTriangles::side || box.height() > SmallTriangles::side)
-  {
-    return false;
-  }
-  const ScreenPoint &a = screen[corners[0]], &b = screen[corners[1]], &c = screen[corners[2]];
-  if (!(a.depth > 0.0f && b.depth > 0.0f && c.depth > 0.0f))
-  {
-    return false;
-  }
-  SmallTriangles& small = memory.small[box.height() - 1][box.width() - 1];
-  const int k = small.count++;
-  small.triangles[k] = triangle;
-  small.i[k] = box.i0;
-  small.j[k] = box.j0;
-  int row = 0;
-  for (const ScreenPoint* p : { &a, &b, &c })
-  {
-    small.points[row++][k] = p->u;
-    small.points[row++][k] = p->v;
-    small.points[row++][k] = p->depth;
-  }
+  SmallTriangles& small = memory.small[height - 1][width - 1];
+  small.items[small.count++] = triangle;
   if (small.count == SmallTriangles::capacity)
   {
-    this->flush(box.width(), box.height(), memory);
+    this->flush(width, height, memory);
   }
-  return true;
 }
 
 void Binning::flush(BinningMemory& memory) const
@@ -117,7 +94,32 @@ void Binning::flush(BinningMemory& memory) const
   {
     for (int width = 1; width <= SmallTriangles::side; ++width)
     {
-      this->flush(width, height, memory);
+      if (memory.small[height - 1][width - 1].count > 0)
+      {
+        this->flush(width, height, memory);
+      }
+    }
+  }
+}
+
+void Binning::load(
+  const SmallTriangles& small, int width, int height, const TupleSpan& points, CoverageBatch& batch)
+{
+  batch.count = small.count;
+  batch.width = width;
+  batch.height = height;
+  for (int k = 0; k < small.count; ++k)
+  {
+    const SmallTriangle& triangle = small.items[k];
+    batch.triangles[k] = triangle.number;
+    batch.i[k] = triangle.i;
+    batch.j[k] = triangle.j;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Vec3 p = points[triangle.corners[corner]];
+      batch.points[3 * corner][k] = p.x;
+      batch.points[3 * corner + 1][k] = p.y;
+      batch.points[3 * corner + 2][k] = p.z;
     }
   }
 }
@@ -126,7 +128,8 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
 {
   SmallTriangles& small = memory.small[height - 1][width - 1];
   CoveredRays& covered = memory.covered;
-  findCoverage(small, width, height, this->Lattice.screenError(), this->Grid, covered);
+  load(small, width, height, memory.part->surface->points, memory.batch);
+  findCoverage(memory.batch, this->Lattice, this->Grid, covered);
   small.count = 0;
   for (int k = 0; k < covered.certain; ++k)
   {

@@ -55,23 +55,25 @@ struct BinningMemory
   Bins bins;
   MeshDefects defects;
   LatticeBoxes boxes;
-  SmallTriangles small[SmallTriangles::side][SmallTriangles::side]; ///< by height, width - 1
+  /// By height - 1 and width - 1, all of them of one part.
+  SmallTriangles small[SmallTriangles::side][SmallTriangles::side];
+  const Mesh::Part* part = nullptr;
+  CoverageBatch batch;
   CoveredRays covered;
 };
 
 class Binning
 {
 public:
-  /// positions, screen: one for each point of the mesh. Without culling every triangle
+  /// positions: one for each point of the mesh. Without culling every triangle
   /// goes to every cell; kernels need culling.
   Binning(const Mesh& mesh, const CameraFrame& frame, const PointLattice& lattice,
-    const LatticePosition* positions, const ScreenPoint* screen, const CellGrid& grid,
-    const Casting& casting, const Window& image, bool culling, bool kernels)
+    const LatticePosition* positions, const CellGrid& grid, const Casting& casting,
+    const Window& image, bool culling, bool kernels)
     : Triangles(mesh)
     , Frame(frame)
     , Lattice(lattice)
     , Positions(positions)
-    , Screen(screen)
     , Grid(grid)
     , Caster(casting)
     , Image(image)
@@ -88,16 +90,16 @@ public:
 private:
   void bin(const Mesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
   void binPlainly(const Mesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
-  bool addSmall(std::uint32_t triangle, const std::int32_t* corners, const ScreenPoint* screen,
-    const Window& box, BinningMemory& memory) const;
+  void addSmall(const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const;
   void flush(int width, int height, BinningMemory& memory) const;
+  static void load(const SmallTriangles& small, int width, int height, const TupleSpan& points,
+    CoverageBatch& batch);
   bool isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const;
 
   const Mesh& Triangles;
   const CameraFrame& Frame;
   const PointLattice& Lattice;
   const LatticePosition* Positions;
-  const ScreenPoint* Screen;
   const CellGrid& Grid;
   const Casting& Caster;
   const Window Image;

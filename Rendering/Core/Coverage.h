@@ -29,7 +29,8 @@
  *   2^-53 is to 2^-24.
  *
  * 4 d (w + h + 2 d) + 2^-20 w h is larger than the sum of the three. Triangles that
- * are much larger than their box (they reach beyond the image) are always uncertain.
+ * are much larger than their box (they reach beyond the image) are always uncertain, and
+ * so are those that are not wholly before the eye.
  *
  * The depth of a hit lies between those of the corners, which is all that is kept of
  * it: see CellRays.
@@ -44,8 +45,15 @@
 
 namespace lambent
 {
-/// Triangles whose boxes are exact and all of the same few rays, before the eye, of
-/// surfaces of which both sides are seen.
+/// A triangle whose box is exact and of few rays.
+struct SmallTriangle
+{
+  std::uint32_t number;
+  std::int32_t corners[3]; ///< points of its surface
+  std::int32_t i, j;       ///< the lower left ray of the box
+};
+
+/// Those with boxes of one size, of a surface of which both sides are seen.
 struct SmallTriangles
 {
   static constexpr int capacity = 32;
@@ -53,11 +61,18 @@ struct SmallTriangles
   static constexpr int side = 8;
 
   int count = 0;
-  std::uint32_t triangles[capacity];
-  /// The lower left ray of the box.
-  std::int32_t i[capacity], j[capacity];
-  /// The corners: au, av, depth of a, bu, ...
-  alignas(64) float points[9][capacity];
+  SmallTriangle items[capacity];
+};
+
+/// The same as the kernel wants them.
+struct CoverageBatch
+{
+  int count = 0;
+  int width, height; ///< of the boxes
+  std::uint32_t triangles[SmallTriangles::capacity];
+  std::int32_t i[SmallTriangles::capacity], j[SmallTriangles::capacity];
+  /// The corners: ax, ay, az, bx, ... in the world.
+  alignas(64) double points[9][SmallTriangles::capacity];
 };
 
 /// The rays that they cover.
@@ -83,9 +98,9 @@ struct CoveredRays
 /// taken: more than the rounding of the corners and of the depth that is computed.
 constexpr float depthSlack = 1.0f / (1 << 22);
 
-/// All boxes are width x height rays; error is d above. Results are put in anew.
-void findCoverage(const SmallTriangles& batch, int width, int height, float error,
-  const CellGrid& grid, CoveredRays& covered);
+/// Results are put in anew.
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
+  CoveredRays& covered);
 }
 
 #endif

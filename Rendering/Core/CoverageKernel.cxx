@@ -7,6 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "VectorFrame.h"
+
 #include "Coverage.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,60 +18,86 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-namespace hn = hwy::HWY_NAMESPACE;
-
 using F = hn::CappedTag<float, 16>;
-using V = hn::Vec<F>;
-using M = hn::Mask<F>;
+using Floats = hn::Vec<F>;
+using FloatMask = hn::Mask<F>;
 constexpr F f;
 using U = hn::RebindToUnsigned<F>;
 constexpr U u;
 using I = hn::RebindToSigned<F>;
 constexpr I s;
 
-V smallest(V a, V b, V c)
+Floats smallest(Floats a, Floats b, Floats c)
 {
   return hn::Min(hn::Min(a, b), c);
 }
 
-V largest(V a, V b, V c)
+Floats largest(Floats a, Floats b, Floats c)
 {
   return hn::Max(hn::Max(a, b), c);
+}
+
+/// The corners as they are projected: au, av, depth of a, bu, ...
+using Screen = float[9][SmallTriangles::capacity];
+
+/// As PointLattice::locate() does it, and rounded.
+void project(const PointLattice& lattice, const CoverageBatch& batch, Screen& screen)
+{
+  const VectorFrame frame(lattice.frame());
+  const hn::Rebind<float, D> df;
+  for (int corner = 0; corner < 9; corner += 3)
+  {
+    for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
+    {
+      const FrameVector p = frame.toFrame(hn::Load(d, batch.points[corner] + k),
+        hn::Load(d, batch.points[corner + 1] + k), hn::Load(d, batch.points[corner + 2] + k));
+      const V perUnit = hn::Div(hn::Set(d, lattice.raysPerUnit()), p.w);
+      const V column = hn::Add(hn::Mul(p.x, perUnit), hn::Set(d, lattice.columns().origin));
+      const V row = hn::Add(hn::Mul(p.y, perUnit), hn::Set(d, lattice.rows().origin));
+      hn::Store(hn::DemoteTo(df, column), df, screen[corner] + k);
+      hn::Store(hn::DemoteTo(df, row), df, screen[corner + 1] + k);
+      hn::Store(hn::DemoteTo(df, p.z), df, screen[corner + 2] + k);
+    }
+  }
 }
 
 /// One of the two products of the three edge functions.
 struct Products
 {
-  V bc, ca, ab;
+  Floats bc, ca, ab;
 };
 
 /// Some triangles of a batch.
 struct Lanes
 {
-  V au, av, bu, bv, cu, cv;
-  V error; ///< of their edge functions
-  V near, far;
-  M isUsed, isOversized;
+  Floats au, av, bu, bv, cu, cv;
+  Floats error; ///< of their edge functions
+  Floats near, far;
+  FloatMask isUsed;
+  FloatMask isOpen; ///< neither their hits nor their misses are certain
 };
 
-Lanes load(const SmallTriangles& batch, int k, float d)
+Lanes load(const CoverageBatch& batch, const Screen& screen, int k, float error)
 {
-  const auto row = [&](int n) { return hn::Load(f, batch.points[n] + k); };
-  Lanes t{ row(0), row(1), row(3), row(4), row(6), row(7), V(), V(), V(), M(), M() };
-  const V width = hn::Sub(largest(t.au, t.bu, t.cu), smallest(t.au, t.bu, t.cu));
-  const V height = hn::Sub(largest(t.av, t.bv, t.cv), smallest(t.av, t.bv, t.cv));
-  const V extent = hn::Add(width, height);
-  t.error = hn::Add(hn::Mul(hn::Set(f, 4.0f * d), hn::Add(extent, hn::Set(f, 2.0f * d))),
+  const auto row = [&](int n) { return hn::Load(f, screen[n] + k); };
+  Lanes t{ row(0), row(1), row(3), row(4), row(6), row(7), Floats(), Floats(), Floats(),
+    FloatMask(), FloatMask() };
+  const Floats width = hn::Sub(largest(t.au, t.bu, t.cu), smallest(t.au, t.bu, t.cu));
+  const Floats height = hn::Sub(largest(t.av, t.bv, t.cv), smallest(t.av, t.bv, t.cv));
+  const Floats extent = hn::Add(width, height);
+  t.error = hn::Add(hn::Mul(hn::Set(f, 4.0f * error), hn::Add(extent, hn::Set(f, 2.0f * error))),
     hn::Mul(hn::Set(f, 1.0f / (1 << 20)), hn::Mul(width, height)));
-  t.isOversized = hn::Not(hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side)));
-  t.near = hn::Mul(smallest(row(2), row(5), row(8)), hn::Set(f, 1.0f - depthSlack));
+  const Floats nearest = smallest(row(2), row(5), row(8));
+  t.isOpen = hn::Not(
+    hn::And(hn::Gt(nearest, hn::Zero(f)), hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side))));
+  t.near = hn::Mul(nearest, hn::Set(f, 1.0f - depthSlack));
   t.far = hn::Mul(largest(row(2), row(5), row(8)), hn::Set(f, 1.0f + depthSlack));
   t.isUsed = hn::RebindMask(f, hn::Lt(hn::Iota(s, k), hn::Set(s, batch.count)));
   return t;
 }
 
 /// (b_v - a_v) (p_u - a_u) of each edge, for the column p_u.
-Products acrossColumn(const Lanes& t, V pu)
+Products acrossColumn(const Lanes& t, Floats pu)
 {
   return { hn::Mul(hn::Sub(t.cv, t.bv), hn::Sub(pu, t.bu)),
     hn::Mul(hn::Sub(t.av, t.cv), hn::Sub(pu, t.cu)),
@@ -77,7 +105,7 @@ Products acrossColumn(const Lanes& t, V pu)
 }
 
 /// (b_u - a_u) (p_v - a_v) of each edge, for the row p_v.
-Products acrossRow(const Lanes& t, V pv)
+Products acrossRow(const Lanes& t, Floats pv)
 {
   return { hn::Mul(hn::Sub(t.cu, t.bu), hn::Sub(pv, t.bv)),
     hn::Mul(hn::Sub(t.au, t.cu), hn::Sub(pv, t.cv)),
@@ -93,16 +121,17 @@ struct Rays
 void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> triangles,
   const Rays& rays, const CellGrid& grid, CoveredRays& covered)
 {
-  const V bc = hn::Sub(row.bc, column.bc);
-  const V ca = hn::Sub(row.ca, column.ca);
-  const V ab = hn::Sub(row.ab, column.ab);
-  const V low = smallest(bc, ca, ab), high = largest(bc, ca, ab);
-  const V minusError = hn::Neg(t.error);
-  const M isHit = hn::AndNot(t.isOversized, hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError)));
-  const M isMiss =
-    hn::AndNot(t.isOversized, hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error)));
-  const M hit = hn::And(isHit, t.isUsed);
-  const M open = hn::AndNot(isMiss, hn::AndNot(isHit, t.isUsed)); // also what is no number
+  const Floats bc = hn::Sub(row.bc, column.bc);
+  const Floats ca = hn::Sub(row.ca, column.ca);
+  const Floats ab = hn::Sub(row.ab, column.ab);
+  const Floats low = smallest(bc, ca, ab), high = largest(bc, ca, ab);
+  const Floats minusError = hn::Neg(t.error);
+  const FloatMask isHit =
+    hn::AndNot(t.isOpen, hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError)));
+  const FloatMask isMiss =
+    hn::AndNot(t.isOpen, hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error)));
+  const FloatMask hit = hn::And(isHit, t.isUsed);
+  const FloatMask open = hn::AndNot(isMiss, hn::AndNot(isHit, t.isUsed)); // also what is no number
   if (hn::AllFalse(f, hn::Or(hit, open)))
   {
     return;
@@ -134,26 +163,28 @@ void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<
   }
 }
 
-void FindCoverage(const SmallTriangles& batch, int width, int height, float error,
-  const CellGrid& grid, CoveredRays& covered)
+void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
+  CoveredRays& covered)
 {
   covered.certain = covered.uncertain = 0;
+  HWY_ALIGN Screen screen;
+  project(lattice, batch, screen);
   for (int k = 0; k < batch.count; k += static_cast<int>(hn::Lanes(f)))
   {
-    const Lanes t = load(batch, k, error);
+    const Lanes t = load(batch, screen, k, lattice.screenError());
     const auto triangles = hn::LoadU(u, batch.triangles + k);
     const Rays first{ hn::LoadU(s, batch.i + k), hn::LoadU(s, batch.j + k) };
     Products columns[SmallTriangles::side];
-    for (int i = 0; i < width; ++i)
+    for (int i = 0; i < batch.width; ++i)
     {
       columns[i] =
         acrossColumn(t, hn::Add(hn::ConvertTo(f, first.i), hn::Set(f, static_cast<float>(i))));
     }
-    for (int j = 0; j < height; ++j)
+    for (int j = 0; j < batch.height; ++j)
     {
       const Products row =
         acrossRow(t, hn::Add(hn::ConvertTo(f, first.j), hn::Set(f, static_cast<float>(j))));
-      for (int i = 0; i < width; ++i)
+      for (int i = 0; i < batch.width; ++i)
       {
         const Rays rays{ hn::Add(first.i, hn::Set(s, i)), hn::Add(first.j, hn::Set(s, j)) };
         store(t, columns[i], row, triangles, rays, grid, covered);
@@ -171,10 +202,10 @@ namespace lambent
 {
 HWY_EXPORT(FindCoverage);
 
-void findCoverage(const SmallTriangles& batch, int width, int height, float error,
-  const CellGrid& grid, CoveredRays& covered)
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
+  CoveredRays& covered)
 {
-  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, width, height, error, grid, covered);
+  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, lattice, grid, covered);
 }
 }
 #endif

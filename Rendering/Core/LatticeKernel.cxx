@@ -4,6 +4,7 @@
 // This file is compiled once for each instruction set, by including itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "LatticeKernel.cxx"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -51,7 +52,7 @@ hn::Vec<Halves> position(const PointLattice::Axis& axis, V u, int shift)
 
 template <typename Coordinate>
 void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
+  std::size_t end, LatticePosition* positions)
 {
   const VectorFrame frame(lattice.frame());
   const auto* coordinates = static_cast<const Coordinate*>(points.data);
@@ -67,30 +68,75 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
     const V row = hn::Add(hn::Mul(v.y, perUnit), hn::Set(d, lattice.rows().origin));
     hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
       position(lattice.rows(), row, lattice.shift()), Halves(), &positions[p].column);
-    const hn::Rebind<float, D> df;
-    hn::StoreInterleaved3(
-      hn::DemoteTo(df, column), hn::DemoteTo(df, row), hn::DemoteTo(df, v.z), df, &screen[p].u);
     const M isPlaced = hn::And(hn::And(hn::Gt(v.w, hn::Zero(d)), hn::Lt(hn::Abs(v.z), infinity)),
       hn::And(hn::Eq(column, column), hn::Eq(row, row)));
     if (!hn::AllTrue(d, isPlaced))
     {
       for (std::size_t k = p; k < p + lanes; ++k)
       {
-        positions[k] = lattice.locate(points[k], screen[k]);
+        positions[k] = lattice.locate(points[k]);
       }
     }
   }
   for (; p < end; ++p)
   {
-    positions[p] = lattice.locate(points[p], screen[p]);
+    positions[p] = lattice.locate(points[p]);
   }
 }
 
 void LocatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
+  std::size_t end, LatticePosition* positions)
 {
-  points.isDouble ? locate<double>(lattice, points, begin, end, positions, screen)
-                  : locate<float>(lattice, points, begin, end, positions, screen);
+  points.isDouble ? locate<double>(lattice, points, begin, end, positions)
+                  : locate<float>(lattice, points, begin, end, positions);
+}
+
+hn::Vec<hn::Rebind<std::uint32_t, D>> narrowed(hn::Vec<hn::Rebind<std::uint64_t, D>> ids)
+{
+  return hn::TruncateTo(hn::Rebind<std::uint32_t, D>(), ids);
+}
+
+hn::Vec<hn::Rebind<std::uint32_t, D>> narrowed(hn::Vec<hn::Rebind<std::uint32_t, D>> ids)
+{
+  return ids;
+}
+
+/// The indices [begin, end), as 32 bits. They are many and read but once: the processor's
+/// own prefetching alone does not keep up.
+template <typename Index>
+bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t* out)
+{
+  constexpr std::size_t ahead = 4096 / sizeof(Index);
+  const hn::Rebind<Index, D> from;
+  const hn::Rebind<std::uint32_t, D> to;
+  const auto* ids = static_cast<const Index*>(corners.data);
+  const auto last = hn::Set(from, static_cast<Index>(pointCount - 1));
+  auto wrong = hn::Gt(hn::Zero(from), hn::Zero(from));
+  std::size_t k = begin;
+  for (; k + lanes <= end; k += lanes)
+  {
+    hwy::Prefetch(ids + k + ahead);
+    const auto id = hn::LoadU(from, ids + k);
+    wrong = hn::Or(wrong, hn::Gt(id, last));
+    hn::StoreU(narrowed(id), to, reinterpret_cast<std::uint32_t*>(out + (k - begin)));
+  }
+  bool isSound = hn::AllFalse(from, wrong);
+  for (; k < end; ++k)
+  {
+    isSound = isSound && ids[k] < pointCount;
+    out[k - begin] = static_cast<std::int32_t>(ids[k]);
+  }
+  return isSound;
+}
+
+bool ReadCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, LatticeBoxes& boxes)
+{
+  boxes.count = static_cast<int>(end - begin);
+  return corners.is64Bit
+    ? readCorners<std::uint64_t>(corners, 3 * begin, 3 * end, pointCount, boxes.corners)
+    : readCorners<std::uint32_t>(corners, 3 * begin, 3 * end, pointCount, boxes.corners);
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -183,12 +229,19 @@ HWY_AFTER_NAMESPACE();
 namespace lambent
 {
 HWY_EXPORT(LocatePoints);
+HWY_EXPORT(ReadCorners);
 HWY_EXPORT(FindBoxes);
 
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions, ScreenPoint* screen)
+  std::size_t end, LatticePosition* positions)
 {
-  HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions, screen);
+  HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions);
+}
+
+bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, LatticeBoxes& boxes)
+{
+  return HWY_DYNAMIC_DISPATCH(ReadCorners)(corners, begin, end, pointCount, boxes);
 }
 
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes)

@@ -14,7 +14,7 @@ namespace lambent
 {
 /// PointLattice::locate() for the points [begin, end).
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
-  std::size_t end, LatticePosition* positions, ScreenPoint* screen);
+  std::size_t end, LatticePosition* positions);
 
 /// The boxes of some triangles.
 struct LatticeBoxes
@@ -36,6 +36,11 @@ struct LatticeBoxes
   int unplaced = 0;
   std::uint32_t unplacedTriangles[capacity];
 };
+
+/// Fill in the corners of the triangles [begin, end). False if one of them is not below
+/// pointCount, which 32 bits must hold.
+bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, LatticeBoxes& boxes);
 
 /// Fill in what comes out. The ends are those that raysBetween() would give, before
 /// groups of rays are taken apart.

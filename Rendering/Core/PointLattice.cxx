@@ -46,7 +46,7 @@ std::uint16_t PointLattice::position(const Axis& axis, double u, int shift)
   return static_cast<std::uint16_t>(firstGroup + endGroup); // 2k, or 2k + 1
 }
 
-LatticePosition PointLattice::locate(const Vec3& point, ScreenPoint& screen) const
+LatticePosition PointLattice::locate(const Vec3& point) const
 {
   const FramePoint p = this->Frame.toFrame(point);
   if (!(p.w > 0.0) || !std::isfinite(p.z) || !this->isPrecise())
@@ -54,13 +54,11 @@ LatticePosition PointLattice::locate(const Vec3& point, ScreenPoint& screen) con
     // Each of the frame's axes mixes all coordinates: one that is not finite shows in z.
     const bool finite = std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
     const std::uint16_t nowhere = finite ? LatticePosition::anywhere : LatticePosition::notFinite;
-    screen = {};
     return { nowhere, nowhere };
   }
   const double perUnit = this->RaysPerUnit / p.w;
   const double u = p.x * perUnit + this->Columns.origin;
   const double v = p.y * perUnit + this->Rows.origin;
-  screen = { static_cast<float>(u), static_cast<float>(v), static_cast<float>(p.z) };
   const LatticePosition result{ position(this->Columns, u, this->Shift),
     position(this->Rows, v, this->Shift) };
   if (result.column == LatticePosition::anywhere || result.row == LatticePosition::anywhere)

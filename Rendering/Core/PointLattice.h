@@ -40,12 +40,6 @@ struct LatticePosition
   static constexpr std::uint16_t notFinite = 0xFFFE;
 };
 
-/// Where a point is projected, in rays from the window's first, and its depth.
-struct ScreenPoint
-{
-  float u, v, depth;
-};
-
 class PointLattice
 {
 public:
@@ -64,16 +58,10 @@ public:
   const Axis& rows() const { return this->Rows; }
   int shift() const { return this->Shift; }
 
-  /// screen: of no use where the position is "anywhere" or "not finite".
-  LatticePosition locate(const Vec3& point, ScreenPoint& screen) const;
-  LatticePosition locate(const Vec3& point) const
-  {
-    ScreenPoint unused;
-    return this->locate(point, unused);
-  }
+  LatticePosition locate(const Vec3& point) const;
 
-  /// By how much a screen point on or near the image can differ from the exact
-  /// projection, in rays.
+  /// By how much a projection on or near the image that is rounded to float can differ
+  /// from the exact one, in rays.
   float screenError() const
   {
     const double largest = 64.0 + std::max(this->Columns.count, this->Rows.count);

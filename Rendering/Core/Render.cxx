@@ -27,11 +27,10 @@ public:
     , Frame(scene.camera, image.width, image.height)
     , Lattice(this->Frame, image.part)
     , Positions(new LatticePosition[this->Triangles.pointCount()])
-    , Screen(new ScreenPoint[this->Triangles.pointCount()])
     , Grid(image.part.width(), image.part.height(), settings.cellShift)
     , Caster(this->Triangles, this->Frame, this->Grid)
-    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Screen.get(),
-        this->Grid, this->Caster, image.part, settings.culling, settings.kernels)
+    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
+        this->Caster, image.part, settings.culling, settings.kernels)
     , Shades(scene, this->Triangles, this->Frame)
     , Painter(scene, this->Triangles, this->Shades, image)
     , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
@@ -97,15 +96,14 @@ private:
       [this](const Mesh::Part& part, std::size_t from, std::size_t to)
       {
         LatticePosition* positions = this->Positions.get() + part.firstPoint;
-        ScreenPoint* screen = this->Screen.get() + part.firstPoint;
         if (this->How.kernels)
         {
-          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions, screen);
+          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions);
           return;
         }
         for (std::size_t p = from; p < to; ++p)
         {
-          positions[p] = this->Lattice.locate(part.surface->points[p], screen[p]);
+          positions[p] = this->Lattice.locate(part.surface->points[p]);
         }
       });
   }
@@ -176,7 +174,6 @@ private:
   const CameraFrame Frame;
   const PointLattice Lattice;
   const std::unique_ptr<LatticePosition[]> Positions;
-  const std::unique_ptr<ScreenPoint[]> Screen;
   const CellGrid Grid;
   const Casting Caster;
   const Binning Binner;
