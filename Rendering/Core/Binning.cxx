@@ -134,8 +134,8 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
   for (int k = 0; k < covered.certain; ++k)
   {
     memory.bins.insertHit(covered.cells[k],
-      { covered.triangles[k], static_cast<std::uint32_t>(covered.rays[k]), covered.near[k],
-        covered.far[k] });
+      { covered.triangles[k], static_cast<std::uint32_t>(covered.rays[k]),
+        { covered.lows[k], covered.highs[k] } });
   }
   for (int k = 0; k < covered.uncertain; ++k)
   {
@@ -145,10 +145,9 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
     double depth;
     if (this->Caster.hits(triangle, x, y, depth))
     {
-      const auto rounded = static_cast<float>(depth);
       memory.bins.insertHit(covered.uncertainCells[k],
         { triangle, static_cast<std::uint32_t>(covered.uncertainRays[k]),
-          rounded * (1.0f - depthSlack), rounded * (1.0f + depthSlack) });
+          nearnessOf(depth, this->Frame.parallel) });
     }
   }
 }

@@ -4,8 +4,8 @@
  * @file
  * @brief which triangles each cell has to test, and what is known to be hit
  *
- * Each worker fills bins of its own, without a lock. A bin is a list of small
- * pages, so that it grows without moving what it holds and an empty one costs a
+ * Each worker fills bins of its own, without a lock. A bin is a list of pages, so that
+ * it grows without moving what it holds and an empty one costs a
  * pointer. The order in which things stand in a bin is left to chance; the nearest
  * hit does not depend on it.
  */
@@ -13,6 +13,7 @@
 #define lambent_Bins_h
 
 #include "CellGrid.h"
+#include "Nearness.h"
 
 #include <hwy/cache_control.h>
 
@@ -30,18 +31,21 @@ struct BinEntry
   std::uint8_t i0, i1, j0, j1;
 };
 
-/// A hit that is certain, and between which depths it lies.
+/// A hit that is certain.
 struct Fragment
 {
   std::uint32_t triangle;
   std::uint32_t ray; ///< of the cell
-  float near, far;
+  Nearness nearness;
 };
+
+/// In bytes: large enough that reading one hides the way to the next.
+constexpr std::size_t pageSize = 1024;
 
 template <typename Item>
 struct Page
 {
-  static constexpr int capacity = static_cast<int>(248 / sizeof(Item)); // 256 bytes in all
+  static constexpr int capacity = static_cast<int>((pageSize - 8) / sizeof(Item));
 
   Page* next;
   Item items[capacity];
@@ -111,7 +115,7 @@ private:
 
   Page<Item>* newPage()
   {
-    constexpr std::size_t pagesPerBlock = 1024;
+    constexpr std::size_t pagesPerBlock = 256;
     const std::size_t block = this->Pages / pagesPerBlock;
     if (block == this->Blocks.size())
     {

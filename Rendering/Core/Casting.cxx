@@ -10,47 +10,7 @@ namespace lambent
 {
 namespace
 {
-/// An edge function over a rectangle of the image plane: it is affine there, so
-/// its range is that of the four corners. The error bounds the roundings both of
-/// the corners and of the edge functions that intersect() computes within: each
-/// is a difference of two products of sheared coordinates, all of them bounded by
-/// the m below, with fewer than 16 roundings of 2^-53.
-struct EdgeRange
-{
-  double corners[4];
-  double error;
-
-  bool isBelow() const
-  {
-    return std::max(std::max(this->corners[0], this->corners[1]),
-             std::max(this->corners[2], this->corners[3])) < -this->error;
-  }
-  bool isAbove() const
-  {
-    return std::min(std::min(this->corners[0], this->corners[1]),
-             std::min(this->corners[2], this->corners[3])) > this->error;
-  }
-};
-
-EdgeRange edgeRange(const FramePoint& p, const FramePoint& q, const double x[2], const double y[2])
-{
-  const double constant = p.x * q.y - p.y * q.x;
-  const double perX = p.y * q.w - p.w * q.y;
-  const double perY = p.w * q.x - p.x * q.w;
-  EdgeRange range;
-  for (int k = 0; k < 4; ++k)
-  {
-    range.corners[k] = constant + x[k & 1] * perX + y[k >> 1] * perY;
-  }
-  const double xMax = std::max(std::fabs(x[0]), std::fabs(x[1]));
-  const double yMax = std::max(std::fabs(y[0]), std::fabs(y[1]));
-  const double mpx = std::fabs(p.x) + xMax * std::fabs(p.w);
-  const double mpy = std::fabs(p.y) + yMax * std::fabs(p.w);
-  const double mqx = std::fabs(q.x) + xMax * std::fabs(q.w);
-  const double mqy = std::fabs(q.y) + yMax * std::fabs(q.w);
-  range.error = std::ldexp(mpx * mqy + mpy * mqx, -48) + std::numeric_limits<double>::min();
-  return range;
-}
+constexpr float infinity = std::numeric_limits<float>::infinity();
 }
 
 Window Casting::boxIn(
@@ -74,29 +34,6 @@ Casting::Triangle Casting::triangle(std::uint32_t number) const
   const auto corner = [&](std::size_t k)
   { return this->Frame.toFrame(surface.points[surface.corners[first + k]]); };
   return { corner(0), corner(1), corner(2), surface.material.cullFront, surface.material.cullBack };
-}
-
-bool Casting::misses(const Triangle& t, const CellRays& rays, const Window& box) const
-{
-  const double x[2] = { rays.xs()[box.i0], rays.xs()[box.i1 - 1] };
-  const double y[2] = { rays.ys()[box.j0], rays.ys()[box.j1 - 1] };
-  const EdgeRange edges[3] = { edgeRange(t.b, t.c, x, y), edgeRange(t.c, t.a, x, y),
-    edgeRange(t.a, t.b, x, y) };
-  EdgeRange sum;
-  for (int k = 0; k < 4; ++k)
-  {
-    sum.corners[k] = edges[0].corners[k] + edges[1].corners[k] + edges[2].corners[k];
-  }
-  sum.error = 2.0 * (edges[0].error + edges[1].error + edges[2].error);
-  const bool front = sum.isAbove(), back = sum.isBelow();
-  for (const EdgeRange& edge : edges)
-  {
-    if ((front && edge.isBelow()) || (back && edge.isAbove()))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 bool Casting::hits(std::uint32_t number, double x, double y, double& depth) const
@@ -133,7 +70,9 @@ void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, C
       if (intersect(t.a, t.b, t.c, rays.xs()[i], rays.ys()[j], hit) &&
         !(t.cullFront && hit.sum > 0.0) && !(t.cullBack && hit.sum < 0.0))
       {
-        rays.offer(static_cast<std::size_t>(j) * rays.stride() + i, hit.depth, number);
+        // No range tells anything here: depths alone decide.
+        rays.offer(static_cast<std::size_t>(j) * rays.stride() + i, hit.depth, number,
+          { -infinity, infinity });
       }
     }
   }
@@ -142,22 +81,24 @@ void Casting::test(const Triangle& t, std::uint32_t number, const Window& box, C
 void Casting::cast(const BinEntry* entries, int count, const CellGrid::Level& level, CellRays& rays,
   CastBatch& batch) const
 {
-  Candidate candidates[PagedBins<BinEntry>::pageCapacity];
-  this->fetch(entries, count, candidates);
-  const bool isFinest = this->Grid.isFinest(level);
-  for (int k = 0; k < count; ++k)
+  constexpr int atOnce = 32;
+  Candidate candidates[atOnce];
+  for (int first = 0; first < count; first += atOnce)
   {
-    const BinEntry& entry = entries[k];
-    const Window box = this->boxIn(rays, level, entry);
-    if (isFinest || (!box.empty() && !this->misses(this->triangle(entry.triangle), rays, box)))
+    const int end = std::min(first + atOnce, count);
+    this->fetch(entries + first, end - first, candidates);
+    for (int k = first; k < end; ++k)
     {
-      this->add(entry.triangle, candidates[k], box, isFinest, rays, batch);
+      const Window box = this->boxIn(rays, level, entries[k]);
+      if (!box.empty())
+      {
+        this->add(entries[k].triangle, candidates[k - first], box, rays, batch);
+      }
     }
   }
 }
 
-// Points lie anywhere in memory: all of a page's are asked for before the first is
-// read.
+// Points lie anywhere in memory: many are asked for before the first is read.
 void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) const
 {
   for (int k = 0; k < count; ++k)
@@ -175,7 +116,7 @@ void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) c
 }
 
 void Casting::add(std::uint32_t number, const Candidate& candidate, const Window& box,
-  bool isBoxExact, CellRays& rays, CastBatch& batch) const
+  CellRays& rays, CastBatch& batch) const
 {
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -186,7 +127,6 @@ void Casting::add(std::uint32_t number, const Candidate& candidate, const Window
   }
   batch.triangles[batch.count] = number;
   batch.boxes[batch.count] = box;
-  batch.isBoxExact[batch.count] = isBoxExact;
   batch.cullFront[batch.count] = candidate.surface->material.cullFront;
   batch.cullBack[batch.count] = candidate.surface->material.cullBack;
   if (++batch.count == CastBatch::capacity)
@@ -198,57 +138,79 @@ void Casting::add(std::uint32_t number, const Candidate& candidate, const Window
 void Casting::flush(CellRays& rays, CastBatch& batch) const
 {
   castBatch(this->Frame, batch, rays);
+  for (const ExactHit& hit : batch.hits)
+  {
+    this->offer(hit.ray, hit.depth, hit.triangle, rays);
+  }
   batch.count = 0;
+  batch.hits.clear();
 }
 
-double Casting::depthAt(std::int64_t triangle, const CellRays& rays, std::size_t ray) const
+double Casting::depthAt(std::uint32_t triangle, const CellRays& rays, std::size_t ray) const
 {
   double depth;
-  this->hits(static_cast<std::uint32_t>(triangle), rays.x(ray), rays.y(ray), depth);
+  this->hits(triangle, rays.x(ray), rays.y(ray), depth);
   return depth;
+}
+
+void Casting::findDepth(std::size_t ray, CellRays& rays) const
+{
+  if (!rays.knowsDepth(ray))
+  {
+    rays.setDepth(ray, this->depthAt(rays.triangles()[ray], rays, ray));
+  }
+}
+
+/// A hit that is certain.
+void Casting::offer(const Fragment& hit, CellRays& rays) const
+{
+  if (hit.nearness.low > rays.highs()[hit.ray])
+  {
+    rays.set(hit.ray, hit.triangle, hit.nearness);
+  }
+  else if (!(hit.nearness.high < rays.lows()[hit.ray]))
+  {
+    this->findDepth(hit.ray, rays);
+    rays.offer(hit.ray, this->depthAt(hit.triangle, rays, hit.ray), hit.triangle, hit.nearness);
+  }
+}
+
+/// A hit of known depth.
+void Casting::offer(std::size_t ray, double depth, std::uint32_t triangle, CellRays& rays) const
+{
+  const Nearness range = nearnessOf(depth, this->Frame.parallel);
+  if (!(range.high < rays.lows()[ray]))
+  {
+    this->findDepth(ray, rays);
+    rays.offer(ray, depth, triangle, range);
+  }
 }
 
 void Casting::addHits(const Fragment* hits, int count, CellRays& rays) const
 {
   for (int k = 0; k < count; ++k)
   {
-    const Fragment& hit = hits[k];
-    CellRays::Range& nearest = rays.ranges()[hit.ray];
-    if (hit.near > nearest.far)
-    {
-      continue;
-    }
-    bool isNearer = hit.far < nearest.near || nearest.triangle == CellRays::none;
-    if (!isNearer)
-    {
-      const double depth = this->depthAt(hit.triangle, rays, hit.ray);
-      const double other = this->depthAt(nearest.triangle, rays, hit.ray);
-      isNearer = depth < other || (depth == other && hit.triangle < nearest.triangle);
-    }
-    if (isNearer)
-    {
-      nearest = { hit.near, hit.far, hit.triangle };
-    }
+    this->offer(hits[k], rays);
   }
 }
 
-void Casting::settle(CellRays& rays, bool withDepths) const
+void Casting::merge(const CellRays& from, CellRays& rays) const
 {
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
-    const CellRays::Range& hit = rays.ranges()[ray];
-    const double depth = rays.depths()[ray];
-    if (hit.triangle == CellRays::none || depth < hit.near)
+    if (from.triangles()[ray] == noTriangle)
     {
       continue;
     }
-    if (!withDepths && depth > hit.far)
+    if (from.knowsDepth(ray))
     {
-      rays.triangles()[ray] = hit.triangle;
+      this->offer(ray, from.depth(ray), from.triangles()[ray], rays);
     }
     else
     {
-      rays.offer(ray, this->depthAt(hit.triangle, rays, ray), hit.triangle);
+      this->offer({ from.triangles()[ray], static_cast<std::uint32_t>(ray),
+                    { from.lows()[ray], from.highs()[ray] } },
+        rays);
     }
   }
 }

@@ -9,11 +9,7 @@
  * does. cast() collects triangles and leaves them to the kernel of CastingKernel.h,
  * which gives the same bits.
  *
- * A triangle from a coarser cell is first tested against the cell as a whole: if
- * for all of its rays one edge function certainly has the other sign than the sum,
- * none of them can hit.
- *
- * Hits that are certain already come with a range of depths. Where two ranges do not
+ * A hit comes with a range of nearness, or with its depth. Where two ranges do not
  * overlap they tell which hit is nearer; elsewhere both depths are computed.
  */
 #ifndef lambent_Casting_h
@@ -49,9 +45,8 @@ public:
   /// Offer hits that are certain.
   void addHits(const Fragment* hits, int count, CellRays& rays) const;
 
-  /// Let the hits of known depth be the nearest of all. withDepths: and their depths
-  /// right, too.
-  void settle(CellRays& rays, bool withDepths) const;
+  /// Offer all hits of the same rays.
+  void merge(const CellRays& from, CellRays& rays) const;
 
   /// The hit of the ray through (x, y) on a triangle, if there is one.
   bool hits(std::uint32_t triangle, double x, double y, double& depth) const;
@@ -71,14 +66,17 @@ private:
     std::uint64_t corners[3];
   };
   void fetch(const BinEntry* entries, int count, Candidate* candidates) const;
-  void add(std::uint32_t number, const Candidate& candidate, const Window& box, bool isBoxExact,
-    CellRays& rays, CastBatch& batch) const;
+  void add(std::uint32_t number, const Candidate& candidate, const Window& box, CellRays& rays,
+    CastBatch& batch) const;
 
-  bool misses(const Triangle& triangle, const CellRays& rays, const Window& box) const;
   Window boxIn(const CellRays& rays, const CellGrid::Level& level, const BinEntry& entry) const;
   void test(
     const Triangle& triangle, std::uint32_t number, const Window& box, CellRays& rays) const;
-  double depthAt(std::int64_t triangle, const CellRays& rays, std::size_t ray) const;
+
+  void offer(const Fragment& hit, CellRays& rays) const;
+  void offer(std::size_t ray, double depth, std::uint32_t triangle, CellRays& rays) const;
+  void findDepth(std::size_t ray, CellRays& rays) const;
+  double depthAt(std::uint32_t triangle, const CellRays& rays, std::size_t ray) const;
 
   const Mesh& Triangles;
   const CameraFrame& Frame;

@@ -7,7 +7,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "VectorFrame.h"
+#include "CastingSetup.h"
+#include "ExactRow.h"
 
 #include "CastingKernel.h"
 
@@ -18,181 +19,165 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// A triangle's sheared vertices along one axis.
-struct Sheared
-{
-  V a, b, c;
-};
+using F = hn::CappedTag<float, 16>;
+constexpr F f;
+using Floats = hn::Vec<F>;
+using FloatMask = hn::Mask<F>;
+using U = hn::RebindToUnsigned<F>;
+constexpr U u;
+constexpr auto step = static_cast<int>(hn::MaxLanes(F()));
 
-Sheared shear(V a, V b, V c, V aw, V bw, V cw, V at)
+Floats smallest(Floats a, Floats b, Floats c)
 {
-  return { hn::Sub(a, hn::Mul(at, aw)), hn::Sub(b, hn::Mul(at, bw)), hn::Sub(c, hn::Mul(at, cw)) };
+  return hn::Min(hn::Min(a, b), c);
 }
 
-struct VectorHit
+Floats largest(Floats a, Floats b, Floats c)
 {
-  M mask;
-  V sum, depth;
-};
+  return hn::Max(hn::Max(a, b), c);
+}
 
-/// The part of intersect() that comes after the box test.
-VectorHit edges(const Sheared& x, const Sheared& y, V az, V bz, V cz)
+/// An affine function of the ray, for some columns: what is the same for all rows, and
+/// what a row adds.
+struct Column
 {
-  const V zero = hn::Zero(d);
-  const V e0 = hn::Sub(hn::Mul(x.b, y.c), hn::Mul(y.b, x.c));
-  const V e1 = hn::Sub(hn::Mul(x.c, y.a), hn::Mul(y.c, x.a));
-  const V e2 = hn::Sub(hn::Mul(x.a, y.b), hn::Mul(y.a, x.b));
-  // What is not a number may pass here; the depth is not a number either then.
-  const M front = hn::Ge(hn::Min(hn::Min(e0, e1), e2), zero);
-  const M back = hn::Le(hn::Max(hn::Max(e0, e1), e2), zero);
-  VectorHit hit;
-  hit.mask = hn::Or(front, back);
-  hit.sum = hn::Add(hn::Add(e0, e1), e2);
-  if (hn::AllFalse(d, hit.mask))
+  Floats constant, perRow;
+
+  Column(const AffineFloats& numbers, int lane, Floats i)
+    : constant(hn::Add(
+        hn::Set(f, numbers.constant[lane]), hn::Mul(hn::Set(f, numbers.perColumn[lane]), i)))
+    , perRow(hn::Set(f, numbers.perRow[lane]))
   {
-    hit.depth = zero;
-    return hit;
   }
-  const V weighted = hn::Add(hn::Add(hn::Mul(e0, az), hn::Mul(e1, bz)), hn::Mul(e2, cz));
-  hit.depth = hn::Div(weighted, hit.sum);
-  hit.mask = hn::And(hit.mask,
-    hn::And(hn::Gt(hit.depth, zero),
-      hn::Lt(hit.depth, hn::Set(d, std::numeric_limits<double>::infinity()))));
-  return hit;
-}
 
-M spansZero(const Sheared& s)
-{
-  const V zero = hn::Zero(d);
-  const M below = hn::Or(hn::Or(hn::Le(s.a, zero), hn::Le(s.b, zero)), hn::Le(s.c, zero));
-  const M above = hn::Or(hn::Or(hn::Ge(s.a, zero), hn::Ge(s.b, zero)), hn::Ge(s.c, zero));
-  return hn::And(below, above);
-}
-
-/// The corners of the triangles [k, k + lanes) of a batch, in the camera's frame.
-struct Corners
-{
-  FrameVector a, b, c;
+  Floats at(Floats j) const { return hn::Add(this->constant, hn::Mul(this->perRow, j)); }
 };
 
-Corners corners(const VectorFrame& frame, const CastBatch& batch, std::size_t k)
+FloatMask columnsBefore(Floats i, int end)
 {
-  const auto corner = [&](int first)
-  {
-    return frame.toFrame(hn::Load(d, batch.points[first] + k),
-      hn::Load(d, batch.points[first + 1] + k), hn::Load(d, batch.points[first + 2] + k));
-  };
-  return { corner(0), corner(3), corner(6) };
+  return hn::Lt(i, hn::Set(f, static_cast<float>(end)));
 }
 
-/// One triangle, in the camera's frame, against the rays of a box.
-struct Large
+/// Some columns of a triangle's box, from the ray i on.
+void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i, CellRays& rays,
+  std::vector<ExactHit>& hits)
 {
-  FramePoint a, b, c;
-  std::int64_t number;
-  Window box;
-  bool isBoxExact, cullFront, cullBack;
-};
-
-void castColumns(const Large& t, int column, const double* rows[3], CellRays& rays)
-{
-  const hn::RebindToSigned<D> di;
-  using Vi = hn::Vec<decltype(di)>;
-  const V zero = hn::Zero(d);
-  const V i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(column)));
-  const V aw = hn::Set(d, t.a.w), bw = hn::Set(d, t.b.w), cw = hn::Set(d, t.c.w);
-  const Sheared x = shear(hn::Set(d, t.a.x), hn::Set(d, t.b.x), hn::Set(d, t.c.x), aw, bw, cw,
-    hn::LoadU(d, rays.xs() + column));
-  M inside = hn::And(hn::Ge(i, hn::Set(d, static_cast<double>(t.box.i0))),
-    hn::Lt(i, hn::Set(d, static_cast<double>(t.box.i1))));
-  if (!t.isBoxExact)
+  const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+  const FloatMask inside = columnsBefore(columns, t.box.i1);
+  const Column edges[3] = { { all.edges[0], lane, columns }, { all.edges[1], lane, columns },
+    { all.edges[2], lane, columns } };
+  const Column nearness(all.nearness, lane, columns);
+  const Floats error = hn::Set(f, all.error[lane]), minusError = hn::Neg(error);
+  const Floats spread = hn::Set(f, all.spread[lane]);
+  const Floats farthest = hn::Set(f, all.farthest[lane]), nearest = hn::Set(f, all.nearest[lane]);
+  const FloatMask never = hn::Lt(columns, hn::Zero(f));
+  float* const lows = rays.lows();
+  float* const highs = rays.highs();
+  std::uint32_t* const triangles = rays.triangles();
+  for (int row = t.box.j0; row < t.box.j1; ++row)
   {
-    inside = hn::And(inside, spansZero(x));
-  }
-  const V az = hn::Set(d, t.a.z), bz = hn::Set(d, t.b.z), cz = hn::Set(d, t.c.z);
-  const Vi number = hn::Set(di, t.number);
-  for (int j = t.box.j0; j < t.box.j1; ++j)
-  {
-    const Sheared y{ hn::Set(d, rows[0][j]), hn::Set(d, rows[1][j]), hn::Set(d, rows[2][j]) };
-    const VectorHit hit = edges(x, y, az, bz, cz);
-    M mask = hn::And(hit.mask, inside);
-    if (hn::AllFalse(d, mask))
+    const Floats j = hn::Set(f, static_cast<float>(row));
+    const Floats e0 = edges[0].at(j), e1 = edges[1].at(j), e2 = edges[2].at(j);
+    const Floats low = smallest(e0, e1, e2), high = largest(e0, e1, e2);
+    const FloatMask front = hn::Gt(low, error), back = hn::Lt(high, minusError);
+    const FloatMask miss = hn::And(hn::Lt(low, minusError), hn::Gt(high, error));
+    const FloatMask hit =
+      hn::And(inside, hn::Or(t.cullFront ? never : front, t.cullBack ? never : back));
+    FloatMask open = hn::AndNot(hn::Or(miss, hn::Or(front, back)), inside);
+    if (hn::AllFalse(f, hn::Or(hit, open)))
     {
       continue;
     }
-    if (!t.isBoxExact)
+    const std::size_t ray = static_cast<std::size_t>(row) * rays.stride() + i;
+    const Floats value = nearness.at(j);
+    const Floats from = hn::Max(hn::Sub(value, spread), farthest);
+    const Floats to = hn::Min(hn::Add(value, spread), nearest);
+    const Floats oldFrom = hn::LoadU(f, rays.lows() + ray),
+                 oldTo = hn::LoadU(f, rays.highs() + ray);
+    const FloatMask isNearer = hn::And(hit, hn::Gt(from, oldTo));
+    hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), f, lows + ray);
+    hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), f, highs + ray);
+    hn::StoreU(hn::IfThenElse(
+                 hn::RebindMask(u, isNearer), hn::Set(u, t.number), hn::LoadU(u, triangles + ray)),
+      u, triangles + ray);
+    const FloatMask isFarther = hn::Lt(to, oldFrom);
+    open = hn::Or(open, hn::AndNot(hn::Or(isNearer, isFarther), hit));
+    if (!hn::AllFalse(f, open))
     {
-      mask = hn::And(mask, spansZero(y));
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(f, open, bits);
+      exactRow(t, row, i, bits, rays, hits);
     }
-    if (t.cullFront)
-    {
-      mask = hn::And(mask, hn::Le(hit.sum, zero));
-    }
-    if (t.cullBack)
-    {
-      mask = hn::And(mask, hn::Ge(hit.sum, zero));
-    }
-    const std::size_t index = static_cast<std::size_t>(j) * rays.stride() + column;
-    const V nearest = hn::LoadU(d, rays.depths() + index);
-    const Vi owner = hn::LoadU(di, rays.triangles() + index);
-    const M smaller = hn::RebindMask(d, hn::Lt(number, owner));
-    mask = hn::And(
-      mask, hn::Or(hn::Lt(hit.depth, nearest), hn::And(hn::Eq(hit.depth, nearest), smaller)));
-    hn::StoreU(hn::IfThenElse(mask, hit.depth, nearest), d, rays.depths() + index);
-    hn::StoreU(
-      hn::IfThenElse(hn::RebindMask(di, mask), number, owner), di, rays.triangles() + index);
   }
 }
 
-void castOne(const Large& t, std::vector<double>& rowMemory, CellRays& rays)
+/// All of the box, exactly.
+void castExactly(const BoxTriangle& t, const CellRays& rays, std::vector<ExactHit>& hits)
 {
-  // The sheared y of the three vertices, by row.
-  const std::size_t stride = rays.stride();
-  rowMemory.resize(3 * stride);
-  double* rows[3] = { rowMemory.data(), rowMemory.data() + stride, rowMemory.data() + 2 * stride };
-  const V aw = hn::Set(d, t.a.w), bw = hn::Set(d, t.b.w), cw = hn::Set(d, t.c.w);
-  const auto lane = static_cast<int>(lanes);
-  for (int j = t.box.j0 / lane * lane; j < t.box.j1; j += lane)
+  for (int i = t.box.i0; i < t.box.i1; i += step)
   {
-    const Sheared y = shear(hn::Set(d, t.a.y), hn::Set(d, t.b.y), hn::Set(d, t.c.y), aw, bw, cw,
-      hn::LoadU(d, rays.ys() + j));
-    hn::StoreU(y.a, d, rows[0] + j);
-    hn::StoreU(y.b, d, rows[1] + j);
-    hn::StoreU(y.c, d, rows[2] + j);
-  }
-  const double* constRows[3] = { rows[0], rows[1], rows[2] };
-  for (int column = t.box.i0 / lane * lane; column < t.box.i1; column += lane)
-  {
-    castColumns(t, column, constRows, rays);
+    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(f, columnsBefore(columns, t.box.i1), bits);
+    for (int row = t.box.j0; row < t.box.j1; ++row)
+    {
+      exactRow(t, row, i, bits, rays, hits);
+    }
   }
 }
 
-void CastBatchOfTriangles(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
+/// The nearness that all hits of the cell have at least.
+float leastNearness(const CellRays& rays)
 {
-  const VectorFrame vectorFrame(frame);
-  thread_local std::vector<double> rowMemory;
-  HWY_ALIGN double coordinates[12][lanesAtMost];
-  for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); k += lanes)
+  Floats least = hn::Set(f, std::numeric_limits<float>::infinity());
+  const Window& window = rays.window();
+  for (int i = 0; i < window.width(); i += step)
   {
-    const Corners t = corners(vectorFrame, batch, k);
-    int row = 0;
-    for (const FrameVector& p : { t.a, t.b, t.c })
+    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+    const FloatMask inside = columnsBefore(columns, window.width());
+    for (int row = 0; row < window.height(); ++row)
     {
-      hn::Store(p.x, d, coordinates[row++]);
-      hn::Store(p.y, d, coordinates[row++]);
-      hn::Store(p.z, d, coordinates[row++]);
-      hn::Store(p.w, d, coordinates[row++]);
+      const Floats low =
+        hn::LoadU(f, rays.lows() + static_cast<std::size_t>(row) * rays.stride() + i);
+      least = hn::IfThenElse(inside, hn::Min(least, low), least);
     }
-    for (std::size_t lane = 0; lane < std::min<std::size_t>(lanes, batch.count - k); ++lane)
+  }
+  return hn::GetLane(hn::MinOfLanes(f, least));
+}
+
+void CastBatchOfTriangles(const CameraFrame& frame, CastBatch& batch, CellRays& rays)
+{
+  const Window& window = rays.window();
+  const CellPlane cell(frame, rays);
+  float least = leastNearness(rays);
+  HWY_ALIGN Triangles all;
+  for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
+  {
+    setUp(frame, cell, batch, k, all);
+    for (int lane = 0; lane < std::min(static_cast<int>(lanes), batch.count - k); ++lane)
     {
-      const auto point = [&](int first)
+      if (all.isMissed(lane))
       {
-        return FramePoint{ coordinates[first][lane], coordinates[first + 1][lane],
-          coordinates[first + 2][lane], coordinates[first + 3][lane] };
-      };
-      castOne({ point(0), point(4), point(8), batch.triangles[k + lane], batch.boxes[k + lane],
-                batch.isBoxExact[k + lane], batch.cullFront[k + lane], batch.cullBack[k + lane] },
-        rowMemory, rays);
+        continue;
+      }
+      const BoxTriangle t(all, lane, batch, k + lane);
+      if (!all.isRegular(lane))
+      {
+        castExactly(t, rays, batch.hits);
+        continue;
+      }
+      if (all.nearestInBox[lane] < least)
+      {
+        continue;
+      }
+      for (int i = t.box.i0; i < t.box.i1; i += step)
+      {
+        castColumns(all, lane, t, i, rays, batch.hits);
+      }
+      if (2 * t.box.width() * t.box.height() > window.width() * window.height())
+      {
+        least = leastNearness(rays); // it may well have covered the cell
+      }
     }
   }
 }
@@ -206,7 +191,7 @@ namespace lambent
 {
 HWY_EXPORT(CastBatchOfTriangles);
 
-void castBatch(const CameraFrame& frame, const CastBatch& batch, CellRays& rays)
+void castBatch(const CameraFrame& frame, CastBatch& batch, CellRays& rays)
 {
   HWY_DYNAMIC_DISPATCH(CastBatchOfTriangles)(frame, batch, rays);
 }

@@ -9,6 +9,8 @@
 
 #include "CameraFrame.h"
 #include "CellGrid.h"
+#include "Mesh.h"
+#include "Nearness.h"
 #include "Window.h"
 
 #include <cstdint>
@@ -18,41 +20,43 @@
 namespace lambent
 {
 /**
- * Two hits for each ray of a cell: the nearest of those whose depth is known, and
- * the nearest of those of which only a range of depths is. Casting keeps both and
- * settles in the end which of them is nearer.
+ * Of two hits of a ray the one with the smaller depth is kept, at the same depth the
+ * one with the smaller number of its triangle, so that the order in which they come
+ * does not matter.
  *
- * Of two hits the one with the smaller depth is kept, at the same depth the one with
- * the smaller number of its triangle, so that the order in which they come does not
- * matter.
+ * A hit has its triangle and its range of nearness. Its depth is computed only when
+ * the range does not tell enough, and remembered then.
+ *
+ * Rays are numbered row by row. Rows begin stride() apart, and there is room for a
+ * vector to reach beyond a row's end.
  */
 class CellRays
 {
 public:
-  /// The triangle where nothing is hit.
-  static constexpr std::int64_t none = -1;
-
   /// Start anew, with nothing hit. Windows count from the image's part that is made.
   void reset(
     const CameraFrame& frame, const Window& image, const CellGrid& grid, const Window& rays)
   {
     this->Rays = rays;
     this->Stride = 1 << grid.rayShift();
-    this->Xs.resize(this->Stride);
-    this->Ys.resize(this->Stride);
+    this->Xs.resize(this->Stride + vector);
+    this->Ys.resize(this->Stride + vector);
     for (int k = 0; k < this->Stride; ++k)
     {
       this->Xs[k] = frame.x(image.i0 + rays.i0 + k);
       this->Ys[k] = frame.y(image.j0 + rays.j0 + k);
     }
-    const std::size_t size = static_cast<std::size_t>(this->Stride) * rays.height();
+    const std::size_t size = this->size() + vector;
+    constexpr Nearness nothing;
+    this->Lows.assign(size, nothing.low);
+    this->Highs.assign(size, nothing.high);
+    this->Triangles.assign(size, noTriangle);
     this->Depths.assign(size, std::numeric_limits<double>::infinity());
-    this->Triangles.assign(size, none);
-    this->Ranges.assign(size, Range());
+    this->DepthOwners.assign(size, noTriangle);
   }
 
   const Window& window() const { return this->Rays; }
-  std::size_t size() const { return this->Depths.size(); }
+  std::size_t size() const { return static_cast<std::size_t>(this->Stride) * this->Rays.height(); }
   int stride() const { return this->Stride; }
 
   /// The rays' places on the image plane, by column and by row of the cell.
@@ -61,49 +65,53 @@ public:
   double x(std::size_t ray) const { return this->Xs[ray % this->Stride]; }
   double y(std::size_t ray) const { return this->Ys[ray / this->Stride]; }
 
-  /// Hits of known depth, by ray.
-  double* depths() { return this->Depths.data(); }
-  std::int64_t* triangles() { return this->Triangles.data(); }
-  const std::int64_t* triangles() const { return this->Triangles.data(); }
+  /// The nearest hits, by ray: their ranges of nearness, and their triangles.
+  float* lows() { return this->Lows.data(); }
+  float* highs() { return this->Highs.data(); }
+  std::uint32_t* triangles() { return this->Triangles.data(); }
+  const float* lows() const { return this->Lows.data(); }
+  const float* highs() const { return this->Highs.data(); }
+  const std::uint32_t* triangles() const { return this->Triangles.data(); }
 
-  void offer(std::size_t ray, double depth, std::int64_t triangle)
+  /// Keep a hit that is the nearest.
+  void set(std::size_t ray, std::uint32_t triangle, const Nearness& range)
   {
-    double& nearest = this->Depths[ray];
-    if (depth < nearest || (depth == nearest && triangle < this->Triangles[ray]))
-    {
-      nearest = depth;
-      this->Triangles[ray] = triangle;
-    }
+    this->Lows[ray] = range.low;
+    this->Highs[ray] = range.high;
+    this->Triangles[ray] = triangle;
   }
 
-  /// A hit with a depth from near to far.
-  struct Range
+  /// Whether the depth of a ray's hit is known. That of no hit is: infinite.
+  bool knowsDepth(std::size_t ray) const { return this->DepthOwners[ray] == this->Triangles[ray]; }
+  double depth(std::size_t ray) const { return this->Depths[ray]; }
+  void setDepth(std::size_t ray, double depth)
   {
-    float near = std::numeric_limits<float>::infinity();
-    float far = std::numeric_limits<float>::infinity();
-    std::int64_t triangle = none;
-  };
-  Range* ranges() { return this->Ranges.data(); }
+    this->Depths[ray] = depth;
+    this->DepthOwners[ray] = this->Triangles[ray];
+  }
 
-  /// Offer all hits of known depth of the same rays.
-  void merge(const CellRays& other)
+  /// Keep a hit of known depth if it is the nearest, where that of the ray's hit is
+  /// known, too.
+  void offer(std::size_t ray, double depth, std::uint32_t triangle, const Nearness& range)
   {
-    for (std::size_t ray = 0; ray < this->size(); ++ray)
+    if (depth < this->Depths[ray] ||
+      (depth == this->Depths[ray] && triangle < this->Triangles[ray]))
     {
-      if (other.Triangles[ray] != none)
-      {
-        this->offer(ray, other.Depths[ray], other.Triangles[ray]);
-      }
+      this->set(ray, triangle, range);
+      this->setDepth(ray, depth);
     }
   }
 
 private:
+  static constexpr int vector = 16; ///< the widest that there is, of floats
+
   Window Rays;
   int Stride = 0;
   std::vector<double> Xs, Ys;
+  std::vector<float> Lows, Highs;
+  std::vector<std::uint32_t> Triangles;
   std::vector<double> Depths;
-  std::vector<std::int64_t> Triangles;
-  std::vector<Range> Ranges;
+  std::vector<std::uint32_t> DepthOwners; ///< the triangles that these are of
 };
 }
 

@@ -7,13 +7,13 @@ namespace lambent
 namespace
 {
 // From how many pages on a cell is split, and into how many tasks at the most.
-constexpr std::size_t pagesToSplit = 512;
+constexpr std::size_t pagesToSplit = 128;
 constexpr std::size_t maximumShares = 32;
 
 // Of a batch, in pages; an empty cell counts as much as a few. A batch takes some
 // milliseconds, so that progress is told and an abort heard in time.
-constexpr std::size_t batchWeight = 32 * 1024;
-constexpr std::size_t emptyCellWeight = 8;
+constexpr std::size_t batchWeight = 8 * 1024;
+constexpr std::size_t emptyCellWeight = 2;
 
 /// Calls body(bins, level, bin) for the bins of a cell and of those above it.
 template <typename Body>
@@ -124,7 +124,7 @@ void Cells::run(
   {
     SplitCell& split = *this->Splits[task.split];
     const std::lock_guard<std::mutex> lock(split.mutex);
-    split.rays.merge(*rays);
+    this->Caster.merge(*rays, split.rays);
     if (--split.remaining > 0)
     {
       return;
@@ -133,7 +133,7 @@ void Cells::run(
   }
   if (!this->Kept.empty())
   {
-    this->Kept[task.cell].merge(*rays);
+    this->Caster.merge(*rays, this->Kept[task.cell]);
     rays = &this->Kept[task.cell];
   }
   if (isLastRound)
@@ -173,7 +173,6 @@ void Cells::cast(const Task& task, const std::vector<const Bins*>& bins, Memory&
   if (this->Kernels)
   {
     this->Caster.flush(memory.rays, memory.triangles);
-    this->Caster.settle(memory.rays, task.shares > 1 || !this->Kept.empty());
   }
 }
 

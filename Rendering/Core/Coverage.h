@@ -33,12 +33,13 @@
  * so are those that are not wholly before the eye.
  *
  * The depth of a hit lies between those of the corners, which is all that is kept of
- * it: see CellRays.
+ * it: see Nearness.h.
  */
 #ifndef lambent_Coverage_h
 #define lambent_Coverage_h
 
 #include "CellGrid.h"
+#include "Nearness.h"
 #include "PointLattice.h"
 
 #include <cstdint>
@@ -84,19 +85,15 @@ struct CoveredRays
 
   int certain = 0;
   std::uint32_t triangles[capacity];
-  std::int32_t cells[capacity]; ///< finest ones
-  std::int32_t rays[capacity];  ///< of the cells
-  float near[capacity], far[capacity];
+  std::int32_t cells[capacity];          ///< finest ones
+  std::int32_t rays[capacity];           ///< of the cells
+  float lows[capacity], highs[capacity]; ///< their nearness
 
   /// These, too, with their rays as i + 2^16 j.
   int uncertain = 0;
   std::uint32_t uncertainTriangles[capacity];
   std::int32_t uncertainCells[capacity], uncertainRays[capacity], uncertainPlaces[capacity];
 };
-
-/// How much wider than its corners' depths, as floats, a triangle's range of depths is
-/// taken: more than the rounding of the corners and of the depth that is computed.
-constexpr float depthSlack = 1.0f / (1 << 22);
 
 /// Results are put in anew.
 void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,

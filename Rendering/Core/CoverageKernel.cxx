@@ -71,13 +71,13 @@ struct Products
 struct Lanes
 {
   Floats au, av, bu, bv, cu, cv;
-  Floats error; ///< of their edge functions
-  Floats near, far;
+  Floats error;     ///< of their edge functions
+  Floats low, high; ///< nearness
   FloatMask isUsed;
   FloatMask isOpen; ///< neither their hits nor their misses are certain
 };
 
-Lanes load(const CoverageBatch& batch, const Screen& screen, int k, float error)
+Lanes load(const CoverageBatch& batch, const Screen& screen, int k, float error, bool isParallel)
 {
   const auto row = [&](int n) { return hn::Load(f, screen[n] + k); };
   Lanes t{ row(0), row(1), row(3), row(4), row(6), row(7), Floats(), Floats(), Floats(),
@@ -88,10 +88,16 @@ Lanes load(const CoverageBatch& batch, const Screen& screen, int k, float error)
   t.error = hn::Add(hn::Mul(hn::Set(f, 4.0f * error), hn::Add(extent, hn::Set(f, 2.0f * error))),
     hn::Mul(hn::Set(f, 1.0f / (1 << 20)), hn::Mul(width, height)));
   const Floats nearest = smallest(row(2), row(5), row(8));
-  t.isOpen = hn::Not(
-    hn::And(hn::Gt(nearest, hn::Zero(f)), hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side))));
-  t.near = hn::Mul(nearest, hn::Set(f, 1.0f - depthSlack));
-  t.far = hn::Mul(largest(row(2), row(5), row(8)), hn::Set(f, 1.0f + depthSlack));
+  const Floats farthest = largest(row(2), row(5), row(8));
+  const FloatMask isRanged =
+    hn::And(hn::Gt(nearest, hn::Set(f, static_cast<float>(smallestRangedDepth))),
+      hn::Lt(farthest, hn::Set(f, static_cast<float>(largestRangedDepth))));
+  const FloatMask isSmall = hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side));
+  t.isOpen = hn::Not(hn::And(isRanged, isSmall));
+  const Floats less = hn::Set(f, 1.0f - nearnessSlack), more = hn::Set(f, 1.0f + nearnessSlack);
+  const Floats one = hn::Set(f, 1.0f);
+  t.low = isParallel ? hn::Neg(hn::Mul(farthest, more)) : hn::Mul(hn::Div(one, farthest), less);
+  t.high = isParallel ? hn::Neg(hn::Mul(nearest, less)) : hn::Mul(hn::Div(one, nearest), more);
   t.isUsed = hn::RebindMask(f, hn::Lt(hn::Iota(s, k), hn::Set(s, batch.count)));
   return t;
 }
@@ -147,9 +153,9 @@ void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<
   hn::CompressStore(triangles, hn::RebindMask(u, hit), u, covered.triangles + covered.certain);
   hn::CompressStore(cells, hits, s, covered.cells + covered.certain);
   hn::CompressStore(numbers, hits, s, covered.rays + covered.certain);
-  hn::CompressStore(t.near, hit, f, covered.near + covered.certain);
+  hn::CompressStore(t.low, hit, f, covered.lows + covered.certain);
   covered.certain +=
-    static_cast<int>(hn::CompressStore(t.far, hit, f, covered.far + covered.certain));
+    static_cast<int>(hn::CompressStore(t.high, hit, f, covered.highs + covered.certain));
   if (!hn::AllFalse(f, open))
   {
     const auto opens = hn::RebindMask(s, open);
@@ -171,7 +177,7 @@ void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, const
   project(lattice, batch, screen);
   for (int k = 0; k < batch.count; k += static_cast<int>(hn::Lanes(f)))
   {
-    const Lanes t = load(batch, screen, k, lattice.screenError());
+    const Lanes t = load(batch, screen, k, lattice.screenError(), lattice.frame().parallel);
     const auto triangles = hn::LoadU(u, batch.triangles + k);
     const Rays first{ hn::LoadU(s, batch.i + k), hn::LoadU(s, batch.j + k) };
     Products columns[SmallTriangles::side];

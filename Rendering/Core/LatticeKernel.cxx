@@ -58,7 +58,7 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
   const auto* coordinates = static_cast<const Coordinate*>(points.data);
   const V infinity = hn::Set(d, std::numeric_limits<double>::infinity());
   std::size_t p = begin;
-  for (; p + lanes <= end; p += lanes)
+  for (; p + lanes <= end && lattice.isPrecise(); p += lanes)
   {
     V x, y, z;
     loadPoints(coordinates + 3 * p, x, y, z);

@@ -24,14 +24,13 @@ void Painting::paintPlainly(const CellRays& rays) const
     const Vec3 background = this->background(window.j0 + j);
     for (int i = 0; i < window.width(); ++i)
     {
-      const std::int64_t triangle =
+      const std::uint32_t triangle =
         rays.triangles()[static_cast<std::size_t>(j) * rays.stride() + i];
       const std::size_t pixel =
         static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0 + i;
       this->store(pixel,
-        triangle == CellRays::none
-          ? background
-          : this->Colors.color(static_cast<std::uint32_t>(triangle), rays.xs()[i], rays.ys()[j]));
+        triangle == noTriangle ? background
+                               : this->Colors.color(triangle, rays.xs()[i], rays.ys()[j]));
     }
   }
 }
@@ -41,31 +40,30 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
   const Window& window = rays.window();
   this->paintBackground(window);
   const Mesh::Part* part = nullptr;
-  std::int64_t last = CellRays::none; // the triangle of the current run
+  std::uint32_t last = noTriangle; // the triangle of the current run
   for (int j = 0; j < window.height(); ++j)
   {
-    const std::int64_t* const triangles =
+    const std::uint32_t* const triangles =
       rays.triangles() + static_cast<std::size_t>(j) * rays.stride();
     const double y = rays.ys()[j];
     const std::size_t row =
       static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0;
     for (int i = 0; i < window.width(); ++i)
     {
-      if (triangles[i] == CellRays::none)
+      if (triangles[i] == noTriangle)
       {
         continue;
       }
       if (triangles[i] != last || batch.isFull())
       {
         last = triangles[i];
-        const auto triangle = static_cast<std::uint32_t>(last);
-        if (!part || !part->holds(triangle) || batch.isFull())
+        if (!part || !part->holds(last) || batch.isFull())
         {
           this->shade(part, batch);
-          part = &this->Triangles.partOf(triangle);
+          part = &this->Triangles.partOf(last);
         }
-        batch.beginRun(triangle);
-        hwy::Prefetch(part->surface->corners.at(3 * (triangle - part->firstTriangle)));
+        batch.beginRun(last);
+        hwy::Prefetch(part->surface->corners.at(3 * (last - part->firstTriangle)));
       }
       batch.add(row + i, rays.xs()[i], y);
     }

@@ -69,8 +69,13 @@ public:
   }
 
   /// Whether positions mean anything: not where the window lies so far from the
-  /// image's centre that rounding could move a position by a ray.
-  bool isPrecise() const { return this->Columns.margin < 0.25 && this->Rows.margin < 0.25; }
+  /// image's centre that rounding could move a position by a ray, or where a pixel is
+  /// of a size that makes the products of edge functions vanish or overflow.
+  bool isPrecise() const
+  {
+    return this->Columns.margin < 0.25 && this->Rows.margin < 0.25 && this->RaysPerUnit > 1e-60 &&
+      this->RaysPerUnit < 1e60;
+  }
 
   /// The rays that can hit a triangle with points at a, b and c, none of them
   /// "anywhere" or "not finite".

@@ -18,7 +18,7 @@
  * Should the bins of step 3 fill the memory they are given, step 4 is done for
  * what they hold, the cells keep their hits, and step 3 goes on.
  *
- * Beside scene and image this takes 16 bytes a point, and 16 bytes for each hit or up
+ * Beside scene and image this takes 4 bytes a point, and 16 bytes for each hit or up
  * to 32 for each larger triangle, at most Settings::binPages pages of them.
  */
 #ifndef lambent_Render_h
@@ -49,7 +49,7 @@ struct Settings
 {
   int cellShift = 5;                 ///< cells are 2^cellShift pixels wide
   std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
-  std::size_t binPages = 512 * 1024; ///< of 256 bytes, before the cells are processed
+  std::size_t binPages = 128 * 1024; ///< of 1 kB, before the cells are processed
   bool culling = true;               ///< drop triangles between the rays
   /// Locate, cast and shade with vectors.
   bool kernels = areVectorsInUse();

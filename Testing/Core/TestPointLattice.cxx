@@ -143,8 +143,12 @@ TEST(PointLattice, PointsOnARayAreOnEitherSide)
 TEST(PointLattice, ManyAtATimeAreEqual)
 {
   RandomNumbers random(11);
+  Camera tiny;
+  tiny.parallel = true;
+  tiny.parallelScale = 1e-70; // positions mean nothing
   const CameraFrame frame(makeCamera(random, 1.0, Vec3(0.0)), 40, 30);
-  const PointLattice lattice(frame, { 3, 39, 2, 29 });
+  const PointLattice lattices[] = { { frame, { 3, 39, 2, 29 } },
+    { CameraFrame(tiny, 40, 30), { 3, 39, 2, 29 } } };
   std::vector<Vec3> points;
   for (int k = 0; k < 1003; ++k)
   {
@@ -168,14 +172,61 @@ TEST(PointLattice, ManyAtATimeAreEqual)
     for (const TupleSpan& span : { TupleSpan{ points.data(), true, points.size() },
            TupleSpan{ floats.data(), false, points.size() } })
     {
-      std::vector<LatticePosition> positions(points.size());
-      std::vector<ScreenPoint> screen(points.size());
-      locatePoints(lattice, span, 1, points.size(), positions.data(), screen.data());
-      for (std::size_t p = 1; p < points.size(); ++p)
+      for (const PointLattice& lattice : lattices)
       {
-        const LatticePosition one = lattice.locate(span[p]);
-        EXPECT_EQ(positions[p].column, one.column) << "point " << p << ", " << target;
-        EXPECT_EQ(positions[p].row, one.row) << "point " << p << ", " << target;
+        std::vector<LatticePosition> positions(points.size());
+        locatePoints(lattice, span, 1, points.size(), positions.data());
+        for (std::size_t p = 1; p < points.size(); ++p)
+        {
+          const LatticePosition one = lattice.locate(span[p]);
+          EXPECT_EQ(positions[p].column, one.column) << "point " << p << ", " << target;
+          EXPECT_EQ(positions[p].row, one.row) << "point " << p << ", " << target;
+        }
+      }
+    }
+  }
+  useVectorTarget(before);
+}
+
+// Indices of either width, of any number, and whichever one is wrong.
+TEST(PointLattice, CornersAreReadAndChecked)
+{
+  constexpr std::size_t points = 1000, count = LatticeBoxes::capacity - 3;
+  RandomNumbers random(3);
+  std::vector<std::int64_t> wide(3 * count + 3);
+  for (std::int64_t& id : wide)
+  {
+    id = random.below(points);
+  }
+  wide[3] = points - 1;
+  const std::string before = vectorTargetInUse();
+  for (const std::string& target : vectorTargets())
+  {
+    ASSERT_TRUE(useVectorTarget(target));
+    LatticeBoxes boxes;
+    for (const std::int64_t bad : { std::int64_t(0), std::int64_t(points), std::int64_t(-1),
+           std::int64_t(1) << 32, std::numeric_limits<std::int64_t>::min() })
+    {
+      for (std::size_t at : { std::size_t(3), std::size_t(50), 3 * count + 2 })
+      {
+        std::vector<std::int64_t> ids = wide;
+        ids[at] = bad;
+        EXPECT_EQ(
+          readCorners({ ids.data(), true, ids.size() }, 1, count + 1, points, boxes), bad == 0)
+          << "64 bits, " << bad << " at " << at << ", " << target;
+        const std::vector<std::int32_t> narrow(ids.begin(), ids.end());
+        if (narrow[at] == bad)
+        {
+          EXPECT_EQ(
+            readCorners({ narrow.data(), false, narrow.size() }, 1, count + 1, points, boxes),
+            bad == 0)
+            << "32 bits, " << bad << " at " << at << ", " << target;
+        }
+        if (bad == 0)
+        {
+          EXPECT_EQ(boxes.count, static_cast<int>(count));
+          EXPECT_TRUE(std::equal(ids.begin() + 3, ids.end(), boxes.corners)) << target;
+        }
       }
     }
   }
