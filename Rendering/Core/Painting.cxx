@@ -37,38 +37,52 @@ void Painting::paintPlainly(const CellRays& rays) const
 
 void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
 {
+  constexpr int step = 32; // no more rays at a time than a batch has room for
   const Window& window = rays.window();
   this->paintBackground(window);
-  const Mesh::Part* part = nullptr;
-  std::uint32_t last = noTriangle; // the triangle of the current run
-  for (int j = 0; j < window.height(); ++j)
+  for (int row = 0; row < window.height(); ++row)
   {
-    const std::uint32_t* const triangles =
-      rays.triangles() + static_cast<std::size_t>(j) * rays.stride();
-    const double y = rays.ys()[j];
-    const std::size_t row =
-      static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0;
-    for (int i = 0; i < window.width(); ++i)
+    for (int begin = 0; begin < window.width(); begin += step)
     {
-      if (triangles[i] == noTriangle)
+      if (!batch.hasRoomFor(step))
       {
-        continue;
+        this->shade(batch);
       }
-      if (triangles[i] != last || batch.isFull())
-      {
-        last = triangles[i];
-        if (!part || !part->holds(last) || batch.isFull())
-        {
-          this->shade(part, batch);
-          part = &this->Triangles.partOf(last);
-        }
-        batch.beginRun(last);
-        hwy::Prefetch(part->surface->corners.at(3 * (last - part->firstTriangle)));
-      }
-      batch.add(row + i, rays.xs()[i], y);
+      this->collect(rays, row, begin, std::min(begin + step, window.width()), batch);
     }
   }
-  this->shade(part, batch);
+  this->shade(batch);
+}
+
+/// Put the hits of some rays of a row into the batch. Whether a ray hits, and whether the
+/// same triangle as the one before, is a toss-up: everything is written, without a branch,
+/// and counted only if it is wanted.
+void Painting::collect(const CellRays& rays, int row, int begin, int end, ShadeBatch& batch) const
+{
+  const Window& window = rays.window();
+  const std::uint32_t* const triangles =
+    rays.triangles() + static_cast<std::size_t>(row) * rays.stride();
+  const double* const xs = rays.xs();
+  const double y = rays.ys()[row];
+  const std::size_t pixel =
+    static_cast<std::size_t>(window.j0 + row) * this->Target.part.width() + window.i0;
+  int count = batch.count, runs = batch.runs;
+  std::uint32_t last = runs > 0 ? batch.triangles[runs - 1] : noTriangle;
+  for (int i = begin; i < end; ++i)
+  {
+    const std::uint32_t triangle = triangles[i];
+    const bool isHit = triangle != noTriangle;
+    batch.triangles[runs] = triangle;
+    runs += isHit && triangle != last;
+    batch.pixels[count] = pixel + i;
+    batch.run[count] = runs - 1;
+    batch.x[count] = xs[i];
+    batch.y[count] = y;
+    count += isHit;
+    last = isHit ? triangle : last;
+  }
+  batch.count = count;
+  batch.runs = runs;
 }
 
 Vec3 Painting::background(int j) const
@@ -113,49 +127,81 @@ void Painting::store(std::size_t pixel, const Vec3& color) const
   }
 }
 
-void Painting::shade(const Mesh::Part* part, ShadeBatch& batch) const
+void Painting::shade(ShadeBatch& batch) const
 {
   if (batch.count == 0)
   {
     return;
   }
-  const Material& material = part->surface->material;
-  if (material.shading == Shading::Unlit)
+  batch.fillUp();
+  for (ShadeRange range; range.end < batch.count;)
   {
-    for (int k = 0; k < batch.count; ++k)
+    const Mesh::Part& part = this->Triangles.partOf(batch.triangles[range.endRun]);
+    range = this->rangeFrom(range, part, batch);
+    const Surface& surface = *part.surface;
+    if (surface.material.shading == Shading::Unlit)
     {
-      this->store(batch.pixels[k], material.color);
-    }
-    batch.clear();
-    return;
-  }
-  load(*part, batch);
-  shadeBatch(this->Colors, material, part->surface->isSmooth(), batch);
-  for (int k = 0; k < batch.count; ++k)
-  {
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      const std::size_t value = 3 * batch.pixels[k] + channel;
-      if (this->Target.bytes)
+      for (int k = range.first; k < range.end; ++k)
       {
-        this->Target.bytes[value] = static_cast<unsigned char>(batch.bytes[channel][k]);
+        this->store(batch.pixels[k], surface.material.color);
       }
-      else
-      {
-        this->Target.floats[value] = static_cast<float>(batch.colors[channel][k]);
-      }
+      continue;
     }
+    load(part, range, batch);
+    shadeHits(this->Colors, surface.material, surface.isSmooth(), range, batch);
+    this->store(range, batch);
   }
   batch.clear();
 }
 
+/// What follows the last range and is on one part.
+ShadeRange Painting::rangeFrom(
+  const ShadeRange& last, const Mesh::Part& part, const ShadeBatch& batch) const
+{
+  ShadeRange range{ last.endRun, last.endRun + 1, last.end, batch.count };
+  while (range.endRun < batch.runs && part.holds(batch.triangles[range.endRun]))
+  {
+    ++range.endRun;
+  }
+  if (range.endRun < batch.runs)
+  {
+    range.end = static_cast<int>(
+      std::lower_bound(batch.run + range.first, batch.run + batch.count, range.endRun) - batch.run);
+  }
+  return range;
+}
+
+void Painting::store(const ShadeRange& range, const ShadeBatch& batch) const
+{
+  for (int k = range.first; k < range.end && this->Target.bytes; ++k)
+  {
+    unsigned char* const out = this->Target.bytes + 3 * batch.pixels[k];
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      out[channel] = static_cast<unsigned char>(batch.bytes[channel][k]);
+    }
+  }
+  for (int k = range.first; k < range.end && this->Target.floats; ++k)
+  {
+    float* const out = this->Target.floats + 3 * batch.pixels[k];
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      out[channel] = static_cast<float>(batch.colors[channel][k]);
+    }
+  }
+}
+
 // Points and normals lie anywhere in memory: first ask for all of them, then read.
-void Painting::load(const Mesh::Part& part, ShadeBatch& batch)
+void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch& batch)
 {
   const Surface& surface = *part.surface;
   const bool smooth = surface.isSmooth();
+  for (int k = range.firstRun; k < range.endRun; ++k)
+  {
+    hwy::Prefetch(surface.corners.at(3 * (batch.triangles[k] - part.firstTriangle)));
+  }
   std::uint64_t corners[ShadeBatch::capacity][3];
-  for (int k = 0; k < batch.runs; ++k)
+  for (int k = range.firstRun; k < range.endRun; ++k)
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
@@ -168,13 +214,13 @@ void Painting::load(const Mesh::Part& part, ShadeBatch& batch)
       }
     }
   }
-  const auto put = [](double(*rows)[ShadeBatch::capacity], int k, const Vec3& v)
+  const auto put = [](double(*rows)[ShadeBatch::room], int k, const Vec3& v)
   {
     rows[0][k] = v.x;
     rows[1][k] = v.y;
     rows[2][k] = v.z;
   };
-  for (int k = 0; k < batch.runs; ++k)
+  for (int k = range.firstRun; k < range.endRun; ++k)
   {
     for (int corner = 0; corner < 3; ++corner)
     {

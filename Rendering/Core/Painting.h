@@ -5,8 +5,8 @@
  * @brief write the pixels of a cell: the colour of what is hit, or the background
  *
  * paintPlainly() asks the Shader pixel by pixel and is the definition. paint() fills
- * rows with the background, collects the hits on each surface and leaves them to
- * the kernel of ShadingKernel.h, which gives the same bits.
+ * rows with the background, collects hits and leaves those on each surface to the kernel
+ * of ShadingKernel.h, which gives the same bits.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
@@ -31,8 +31,12 @@ private:
   /// The background's colour in a row of the image's part.
   Vec3 background(int j) const;
   void store(std::size_t pixel, const Vec3& color) const;
-  void shade(const Mesh::Part* part, ShadeBatch& batch) const;
-  static void load(const Mesh::Part& part, ShadeBatch& batch);
+  void collect(const CellRays& rays, int row, int begin, int end, ShadeBatch& batch) const;
+  void shade(ShadeBatch& batch) const;
+  ShadeRange rangeFrom(
+    const ShadeRange& last, const Mesh::Part& part, const ShadeBatch& batch) const;
+  void store(const ShadeRange& range, const ShadeBatch& batch) const;
+  static void load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch& batch);
 
   const Scene& Description;
   const Mesh& Triangles;

@@ -75,7 +75,7 @@ public:
     return this->IsRow ? hn::LoadU(d, values + this->First)
                        : hn::GatherIndex(d, values, this->Indices);
   }
-  Vector3 operator()(const double (*values)[ShadeBatch::capacity]) const
+  Vector3 operator()(const double (*values)[ShadeBatch::room]) const
   {
     return { (*this)(values[0]), (*this)(values[1]), (*this)(values[2]) };
   }
@@ -154,18 +154,18 @@ void storeBytes(V value, std::int32_t* bytes)
     hn::DemoteTo(di32, hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5))), di32, bytes);
 }
 
-/// Bring the corners of all runs into the camera's frame.
-void toFrame(const VectorFrame& frame, ShadeBatch& batch)
+/// Bring the corners of the runs into the camera's frame.
+void toFrame(const VectorFrame& frame, const ShadeRange& range, ShadeBatch& batch)
 {
-  for (int k = 0; k < batch.runs; k += static_cast<int>(lanes))
+  for (int k = range.firstRun; k < range.endRun; k += static_cast<int>(lanes))
   {
     for (int corner = 0; corner < 9; corner += 3)
     {
-      const FrameVector p = frame.toFrame(hn::Load(d, batch.points[corner] + k),
-        hn::Load(d, batch.points[corner + 1] + k), hn::Load(d, batch.points[corner + 2] + k));
-      hn::Store(p.x, d, batch.points[corner] + k);
-      hn::Store(p.y, d, batch.points[corner + 1] + k);
-      hn::Store(p.z, d, batch.points[corner + 2] + k);
+      const FrameVector p = frame.toFrame(hn::LoadU(d, batch.points[corner] + k),
+        hn::LoadU(d, batch.points[corner + 1] + k), hn::LoadU(d, batch.points[corner + 2] + k));
+      hn::StoreU(p.x, d, batch.points[corner] + k);
+      hn::StoreU(p.y, d, batch.points[corner + 1] + k);
+      hn::StoreU(p.z, d, batch.points[corner + 2] + k);
     }
   }
 }
@@ -176,7 +176,7 @@ Vector3 color(
 {
   const CameraFrame& frame = shader.frame();
   const Runs runs(batch.run + k);
-  const V x = hn::Load(d, batch.x + k), y = hn::Load(d, batch.y + k);
+  const V x = hn::LoadU(d, batch.x + k), y = hn::LoadU(d, batch.y + k);
   const Vector3 a = runs(batch.points), b = runs(batch.points + 3), c = runs(batch.points + 6);
   const V one = hn::Set(d, 1.0);
   const V aw = frame.parallel ? one : a.z, bw = frame.parallel ? one : b.z,
@@ -213,25 +213,16 @@ Vector3 color(
   return lit(shader, material, point, normal);
 }
 
-void ShadeBatchOfHits(
-  const Shader& shader, const Material& material, bool smooth, ShadeBatch& batch)
+void ShadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
+  ShadeBatch& batch)
 {
-  toFrame(VectorFrame(shader.frame()), batch);
-  // Fill up the last vector with copies of the last hit.
-  const int end =
-    (batch.count + static_cast<int>(lanes) - 1) / static_cast<int>(lanes) * static_cast<int>(lanes);
-  for (int k = batch.count; k < end; ++k)
-  {
-    batch.run[k] = batch.run[batch.count - 1];
-    batch.x[k] = batch.x[batch.count - 1];
-    batch.y[k] = batch.y[batch.count - 1];
-  }
-  for (int k = 0; k < end; k += static_cast<int>(lanes))
+  toFrame(VectorFrame(shader.frame()), range, batch);
+  for (int k = range.first; k < range.end; k += static_cast<int>(lanes))
   {
     const Vector3 result = color(shader, material, smooth, batch, k);
-    hn::Store(result.x, d, batch.colors[0] + k);
-    hn::Store(result.y, d, batch.colors[1] + k);
-    hn::Store(result.z, d, batch.colors[2] + k);
+    hn::StoreU(result.x, d, batch.colors[0] + k);
+    hn::StoreU(result.y, d, batch.colors[1] + k);
+    hn::StoreU(result.z, d, batch.colors[2] + k);
     storeBytes(result.x, batch.bytes[0] + k);
     storeBytes(result.y, batch.bytes[1] + k);
     storeBytes(result.z, batch.bytes[2] + k);
@@ -245,11 +236,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(ShadeBatchOfHits);
+HWY_EXPORT(ShadeHits);
 
-void shadeBatch(const Shader& shader, const Material& material, bool smooth, ShadeBatch& batch)
+void shadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
+  ShadeBatch& batch)
 {
-  HWY_DYNAMIC_DISPATCH(ShadeBatchOfHits)(shader, material, smooth, batch);
+  HWY_DYNAMIC_DISPATCH(ShadeHits)(shader, material, smooth, range, batch);
 }
 }
 #endif

@@ -14,9 +14,11 @@
 
 namespace lambent
 {
-/// Fill in the colours and bytes of a batch whose hits, points and normals are
-/// there. smooth: there are normals at the corners, else one of the face.
-void shadeBatch(const Shader& shader, const Material& material, bool smooth, ShadeBatch& batch);
+/// Fill in the colours and bytes of hits whose points and normals are there; those of
+/// hits beyond the range may be overwritten. smooth: there are normals at the corners,
+/// else one of the face.
+void shadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
+  ShadeBatch& batch);
 }
 
 #endif
