@@ -129,25 +129,27 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
   SmallTriangles& small = memory.small[height - 1][width - 1];
   CoveredRays& covered = memory.covered;
   load(small, width, height, memory.part->surface->points, memory.batch);
-  findCoverage(memory.batch, this->Lattice, this->Grid, covered);
+  const CoverageBatch& batch = memory.batch;
+  findCoverage(batch, this->Lattice, covered);
   small.count = 0;
   for (int k = 0; k < covered.certain; ++k)
   {
-    memory.bins.insertHit(covered.cells[k],
-      { covered.triangles[k], static_cast<std::uint32_t>(covered.rays[k]),
-        { covered.lows[k], covered.highs[k] } });
+    const CoveredRay& ray = covered.certainRays[k];
+    const int t = ray.triangle();
+    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
+    memory.bins.insertHit(i, j, batch.triangles[t], { covered.lows[t], covered.highs[t] });
   }
   for (int k = 0; k < covered.uncertain; ++k)
   {
-    const std::uint32_t triangle = covered.uncertainTriangles[k];
-    const double x = this->Frame.x(this->Image.i0 + (covered.uncertainPlaces[k] & 0xFFFF));
-    const double y = this->Frame.y(this->Image.j0 + (covered.uncertainPlaces[k] >> 16));
+    const CoveredRay& ray = covered.uncertainRays[k];
+    const int t = ray.triangle();
+    const std::uint32_t triangle = batch.triangles[t];
+    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
     double depth;
-    if (this->Caster.hits(triangle, x, y, depth))
+    if (this->Caster.hits(
+          triangle, this->Frame.x(this->Image.i0 + i), this->Frame.y(this->Image.j0 + j), depth))
     {
-      memory.bins.insertHit(covered.uncertainCells[k],
-        { triangle, static_cast<std::uint32_t>(covered.uncertainRays[k]),
-          nearnessOf(depth, this->Frame.parallel) });
+      memory.bins.insertHit(i, j, triangle, nearnessOf(depth, this->Frame.parallel));
     }
   }
 }

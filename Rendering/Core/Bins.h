@@ -136,6 +136,8 @@ class Bins
 public:
   explicit Bins(const CellGrid& grid)
     : Grid(&grid)
+    , Finest(grid.levels().front())
+    , RayShift(grid.rayShift())
     , Triangles(grid.totalCount())
     , Hits(grid.cellCount())
   {
@@ -171,10 +173,19 @@ public:
     }
   }
 
-  void insertHit(int cell, const Fragment& hit) { this->Hits.append(cell, hit); }
+  /// Hand a hit of the ray (i, j) to its cell.
+  void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
+  {
+    const int inCell = (1 << this->Finest.shift) - 1;
+    const int ray = ((j & inCell) << this->RayShift) + (i & inCell);
+    this->Hits.append(
+      this->Finest.cellAt(i, j), { triangle, static_cast<std::uint32_t>(ray), nearness });
+  }
 
 private:
   const CellGrid* Grid;
+  const CellGrid::Level Finest;
+  const int RayShift;
   PagedBins<BinEntry> Triangles;
   PagedBins<Fragment> Hits;
 };

@@ -38,7 +38,6 @@
 #ifndef lambent_Coverage_h
 #define lambent_Coverage_h
 
-#include "CellGrid.h"
 #include "Nearness.h"
 #include "PointLattice.h"
 
@@ -76,6 +75,17 @@ struct CoverageBatch
   alignas(64) double points[9][SmallTriangles::capacity];
 };
 
+/// A triangle by its place in the batch, and a ray of its box, from the lower left one.
+struct CoveredRay
+{
+  std::uint32_t bits;
+
+  static constexpr std::uint32_t at(int i, int j) { return i << 8 | j << 16; } // of the first
+  int triangle() const { return this->bits & 0xFF; }
+  int i() const { return this->bits >> 8 & 0xFF; }
+  int j() const { return this->bits >> 16; }
+};
+
 /// The rays that they cover.
 struct CoveredRays
 {
@@ -83,21 +93,14 @@ struct CoveredRays
   static constexpr int capacity =
     SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
 
-  int certain = 0;
-  std::uint32_t triangles[capacity];
-  std::int32_t cells[capacity];          ///< finest ones
-  std::int32_t rays[capacity];           ///< of the cells
-  float lows[capacity], highs[capacity]; ///< their nearness
-
-  /// These, too, with their rays as i + 2^16 j.
-  int uncertain = 0;
-  std::uint32_t uncertainTriangles[capacity];
-  std::int32_t uncertainCells[capacity], uncertainRays[capacity], uncertainPlaces[capacity];
+  int certain = 0, uncertain = 0;
+  CoveredRay certainRays[capacity], uncertainRays[capacity];
+  /// The nearness of each triangle's hits.
+  float lows[SmallTriangles::capacity], highs[SmallTriangles::capacity];
 };
 
 /// Results are put in anew.
-void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
-  CoveredRays& covered);
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered);
 }
 
 #endif

@@ -74,26 +74,29 @@ struct Lanes
   Floats error;     ///< of their edge functions
   Floats low, high; ///< nearness
   FloatMask isUsed;
-  FloatMask isOpen; ///< neither their hits nor their misses are certain
 };
 
-Lanes load(const CoverageBatch& batch, const Screen& screen, int k, float error, bool isParallel)
+Lanes load(const CoverageBatch& batch, const Screen& screen, int k, const PointLattice& lattice)
 {
   const auto row = [&](int n) { return hn::Load(f, screen[n] + k); };
   Lanes t{ row(0), row(1), row(3), row(4), row(6), row(7), Floats(), Floats(), Floats(),
-    FloatMask(), FloatMask() };
+    FloatMask() };
   const Floats width = hn::Sub(largest(t.au, t.bu, t.cu), smallest(t.au, t.bu, t.cu));
   const Floats height = hn::Sub(largest(t.av, t.bv, t.cv), smallest(t.av, t.bv, t.cv));
   const Floats extent = hn::Add(width, height);
-  t.error = hn::Add(hn::Mul(hn::Set(f, 4.0f * error), hn::Add(extent, hn::Set(f, 2.0f * error))),
-    hn::Mul(hn::Set(f, 1.0f / (1 << 20)), hn::Mul(width, height)));
+  const float moved = lattice.screenError();
+  const Floats error =
+    hn::Add(hn::Mul(hn::Set(f, 4.0f * moved), hn::Add(extent, hn::Set(f, 2.0f * moved))),
+      hn::Mul(hn::Set(f, 1.0f / (1 << 20)), hn::Mul(width, height)));
   const Floats nearest = smallest(row(2), row(5), row(8));
   const Floats farthest = largest(row(2), row(5), row(8));
   const FloatMask isRanged =
     hn::And(hn::Gt(nearest, hn::Set(f, static_cast<float>(smallestRangedDepth))),
       hn::Lt(farthest, hn::Set(f, static_cast<float>(largestRangedDepth))));
   const FloatMask isSmall = hn::Lt(extent, hn::Set(f, 8.0f * SmallTriangles::side));
-  t.isOpen = hn::Not(hn::And(isRanged, isSmall));
+  t.error = hn::IfThenElse(
+    hn::And(isRanged, isSmall), error, hn::Set(f, std::numeric_limits<float>::infinity()));
+  const bool isParallel = lattice.frame().parallel;
   const Floats less = hn::Set(f, 1.0f - nearnessSlack), more = hn::Set(f, 1.0f + nearnessSlack);
   const Floats one = hn::Set(f, 1.0f);
   t.low = isParallel ? hn::Neg(hn::Mul(farthest, more)) : hn::Mul(hn::Div(one, farthest), less);
@@ -118,82 +121,57 @@ Products acrossRow(const Lanes& t, Floats pv)
     hn::Mul(hn::Sub(t.bu, t.au), hn::Sub(pv, t.av)) };
 }
 
-/// Rays, as many as there are lanes.
-struct Rays
+/// Append those rays that mask says.
+int append(FloatMask mask, hn::Vec<U> rays, CoveredRay* out)
 {
-  hn::Vec<I> i, j;
-};
+  static_assert(sizeof(CoveredRay) == sizeof(std::uint32_t), "a lane is a ray");
+  return static_cast<int>(
+    hn::CompressStore(rays, hn::RebindMask(u, mask), u, reinterpret_cast<std::uint32_t*>(out)));
+}
 
-void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> triangles,
-  const Rays& rays, const CellGrid& grid, CoveredRays& covered)
+void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> rays,
+  CoveredRays& covered)
 {
   const Floats bc = hn::Sub(row.bc, column.bc);
   const Floats ca = hn::Sub(row.ca, column.ca);
   const Floats ab = hn::Sub(row.ab, column.ab);
   const Floats low = smallest(bc, ca, ab), high = largest(bc, ca, ab);
   const Floats minusError = hn::Neg(t.error);
-  const FloatMask isHit =
-    hn::AndNot(t.isOpen, hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError)));
-  const FloatMask isMiss =
-    hn::AndNot(t.isOpen, hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error)));
+  const FloatMask isHit = hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError));
+  const FloatMask isMiss = hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error));
   const FloatMask hit = hn::And(isHit, t.isUsed);
-  const FloatMask open = hn::AndNot(isMiss, hn::AndNot(isHit, t.isUsed)); // also what is no number
-  if (hn::AllFalse(f, hn::Or(hit, open)))
+  const FloatMask open = hn::AndNot(hn::Or(isMiss, isHit), t.isUsed); // also what is no number
+  covered.certain += append(hit, rays, covered.certainRays + covered.certain);
+  if (HWY_UNLIKELY(!hn::AllFalse(f, open)))
   {
-    return;
-  }
-  const CellGrid::Level& level = grid.levels().front();
-  const auto inCell = hn::Set(s, (1 << level.shift) - 1);
-  const auto cells = hn::Add(hn::Mul(hn::ShiftRightSame(rays.j, level.shift),
-                               hn::Set(s, static_cast<std::int32_t>(level.columns))),
-    hn::ShiftRightSame(rays.i, level.shift));
-  const auto numbers =
-    hn::Add(hn::ShiftLeftSame(hn::And(rays.j, inCell), grid.rayShift()), hn::And(rays.i, inCell));
-  const auto hits = hn::RebindMask(s, hit);
-  hn::CompressStore(triangles, hn::RebindMask(u, hit), u, covered.triangles + covered.certain);
-  hn::CompressStore(cells, hits, s, covered.cells + covered.certain);
-  hn::CompressStore(numbers, hits, s, covered.rays + covered.certain);
-  hn::CompressStore(t.low, hit, f, covered.lows + covered.certain);
-  covered.certain +=
-    static_cast<int>(hn::CompressStore(t.high, hit, f, covered.highs + covered.certain));
-  if (!hn::AllFalse(f, open))
-  {
-    const auto opens = hn::RebindMask(s, open);
-    const auto places = hn::Add(hn::ShiftLeft<16>(rays.j), rays.i);
-    const int at = covered.uncertain;
-    hn::CompressStore(triangles, hn::RebindMask(u, open), u, covered.uncertainTriangles + at);
-    hn::CompressStore(cells, opens, s, covered.uncertainCells + at);
-    hn::CompressStore(numbers, opens, s, covered.uncertainRays + at);
-    covered.uncertain +=
-      static_cast<int>(hn::CompressStore(places, opens, s, covered.uncertainPlaces + at));
+    covered.uncertain += append(open, rays, covered.uncertainRays + covered.uncertain);
   }
 }
 
-void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
-  CoveredRays& covered)
+void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered)
 {
   covered.certain = covered.uncertain = 0;
   HWY_ALIGN Screen screen;
   project(lattice, batch, screen);
   for (int k = 0; k < batch.count; k += static_cast<int>(hn::Lanes(f)))
   {
-    const Lanes t = load(batch, screen, k, lattice.screenError(), lattice.frame().parallel);
-    const auto triangles = hn::LoadU(u, batch.triangles + k);
-    const Rays first{ hn::LoadU(s, batch.i + k), hn::LoadU(s, batch.j + k) };
+    const Lanes t = load(batch, screen, k, lattice);
+    hn::StoreU(t.low, f, covered.lows + k);
+    hn::StoreU(t.high, f, covered.highs + k);
+    const auto numbers = hn::Iota(u, k);
+    const Floats firstColumn = hn::ConvertTo(f, hn::LoadU(s, batch.i + k));
+    const Floats firstRow = hn::ConvertTo(f, hn::LoadU(s, batch.j + k));
     Products columns[SmallTriangles::side];
     for (int i = 0; i < batch.width; ++i)
     {
-      columns[i] =
-        acrossColumn(t, hn::Add(hn::ConvertTo(f, first.i), hn::Set(f, static_cast<float>(i))));
+      columns[i] = acrossColumn(t, hn::Add(firstColumn, hn::Set(f, static_cast<float>(i))));
     }
     for (int j = 0; j < batch.height; ++j)
     {
-      const Products row =
-        acrossRow(t, hn::Add(hn::ConvertTo(f, first.j), hn::Set(f, static_cast<float>(j))));
+      const Products row = acrossRow(t, hn::Add(firstRow, hn::Set(f, static_cast<float>(j))));
       for (int i = 0; i < batch.width; ++i)
       {
-        const Rays rays{ hn::Add(first.i, hn::Set(s, i)), hn::Add(first.j, hn::Set(s, j)) };
-        store(t, columns[i], row, triangles, rays, grid, covered);
+        store(t, columns[i], row, hn::Add(numbers, hn::Set(u, CoveredRay::at(i, j))), covered);
       }
     }
   }
@@ -208,10 +186,9 @@ namespace lambent
 {
 HWY_EXPORT(FindCoverage);
 
-void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, const CellGrid& grid,
-  CoveredRays& covered)
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered)
 {
-  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, lattice, grid, covered);
+  HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, lattice, covered);
 }
 }
 #endif
