@@ -10,6 +10,11 @@ namespace
 constexpr std::size_t pagesToSplit = 128;
 constexpr std::size_t maximumShares = 32;
 
+// Neighbours are handed out together: their pixels share cache lines, which two workers
+// would keep taking from each other.
+constexpr std::size_t mostCellsInGroup = 16;
+constexpr std::size_t mostWeightInGroup = 128;
+
 // Of a batch, in pages; an empty cell counts as much as a few. A batch takes some
 // milliseconds, so that progress is told and an abort heard in time.
 constexpr std::size_t batchWeight = 8 * 1024;
@@ -44,46 +49,76 @@ std::size_t Cells::countPages(const std::vector<const Bins*>& bins, int cell) co
 
 void Cells::plan(const std::vector<const Bins*>& bins)
 {
-  const std::size_t workers = this->Scratch.size();
   this->Tasks.clear();
   this->Splits.clear();
+  this->Groups.assign(1, 0);
   this->Batches.assign(1, 0);
-  std::size_t weight = 0;
+  std::size_t groupWeight = 0, groupCells = 0, weight = 0;
+  const auto endGroup = [&]()
+  {
+    if (this->Groups.back() != this->Tasks.size())
+    {
+      this->Groups.push_back(this->Tasks.size());
+    }
+    groupWeight = groupCells = 0;
+  };
+  const auto endBatch = [&]()
+  {
+    endGroup();
+    if (this->Batches.back() != this->Groups.size() - 1)
+    {
+      this->Batches.push_back(this->Groups.size() - 1);
+    }
+    weight = 0;
+  };
   for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
   {
     const std::size_t pages = this->countPages(bins, cell);
-    std::size_t shares = pages > 0 ? 1 : 0;
-    if (workers > 1 && pages > pagesToSplit)
-    {
-      shares = std::min({ pages / (pagesToSplit / 4), 4 * workers, maximumShares });
-    }
-    const int split = shares > 1 ? static_cast<int>(this->Splits.size()) : -1;
+    const std::size_t shares = this->sharesFor(pages);
     if (shares > 1)
     {
-      this->Splits.push_back(std::make_unique<SplitCell>());
-      this->Splits.back()->remaining = static_cast<int>(shares);
-      this->Splits.back()->rays.reset(
-        this->Frame, this->Image, this->Grid, this->Grid.window(cell));
+      endGroup();
+      const auto split = static_cast<int>(this->Splits.size());
+      this->Splits.push_back(this->makeSplit(cell, shares));
+      for (std::size_t share = 0; share < shares; ++share)
+      {
+        this->Tasks.push_back({ cell, static_cast<int>(share), static_cast<int>(shares), split });
+        endGroup();
+      }
     }
-    if (shares == 0)
+    else
     {
-      this->Tasks.push_back({ cell, 0, 0, split });
-    }
-    for (std::size_t share = 0; share < shares; ++share)
-    {
-      this->Tasks.push_back({ cell, static_cast<int>(share), static_cast<int>(shares), split });
+      this->Tasks.push_back({ cell, 0, static_cast<int>(shares), -1 });
+      groupWeight += pages + emptyCellWeight;
+      if (++groupCells == mostCellsInGroup || groupWeight > mostWeightInGroup)
+      {
+        endGroup();
+      }
     }
     weight += pages + emptyCellWeight;
     if (weight > batchWeight)
     {
-      this->Batches.push_back(this->Tasks.size());
-      weight = 0;
+      endBatch();
     }
   }
-  if (this->Batches.back() != this->Tasks.size())
-  {
-    this->Batches.push_back(this->Tasks.size());
-  }
+  endBatch();
+}
+
+/// Into how many tasks a cell is split; 0 if it has nothing to do.
+std::size_t Cells::sharesFor(std::size_t pages) const
+{
+  const std::size_t workers = this->Scratch.size();
+  return workers > 1 && pages > pagesToSplit
+    ? std::min({ pages / (pagesToSplit / 4), 4 * workers, maximumShares })
+    : std::min<std::size_t>(pages, 1);
+}
+
+std::unique_ptr<Cells::SplitCell> Cells::makeSplit(int cell, std::size_t shares) const
+{
+  auto split = std::make_unique<SplitCell>();
+  split->remaining = static_cast<int>(shares);
+  split->rays.reset(this->Frame, this->Image, this->Grid, this->Grid.window(cell));
+  return split;
 }
 
 void Cells::run(std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel,
@@ -98,14 +133,17 @@ void Cells::run(std::size_t batch, const std::vector<const Bins*>& bins, const P
     }
   }
   forEach(parallel, this->Batches[batch], this->Batches[batch + 1],
-    [&](int worker, std::size_t task)
+    [&](int worker, std::size_t group)
     {
       std::unique_ptr<Memory>& memory = this->Scratch[worker];
       if (!memory)
       {
         memory.reset(new Memory); // by the worker itself, and not written over
       }
-      this->run(this->Tasks[task], bins, *memory, isLastRound);
+      for (std::size_t task = this->Groups[group]; task < this->Groups[group + 1]; ++task)
+      {
+        this->run(this->Tasks[task], bins, *memory, isLastRound);
+      }
     });
 }
 

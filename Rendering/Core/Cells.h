@@ -4,10 +4,10 @@
  * @file
  * @brief process the cells: cast their rays, shade the hits, write the pixels
  *
- * A cell with few triangles is one task, done in memory of the worker's own. One
- * with many is split into several tasks, each with a share of its triangles; they
- * merge what they hit, and the last of them shades. So a mesh that falls into a
- * single cell keeps all workers busy.
+ * A cell with few triangles is one task, done in memory of the worker's own, and a
+ * worker takes several neighbours at a time. One with many is split into several tasks,
+ * each with a share of its triangles; they merge what they hit, and the last of them
+ * shades. So a mesh that falls into a single cell keeps all workers busy.
  */
 #ifndef lambent_Cells_h
 #define lambent_Cells_h
@@ -69,6 +69,8 @@ private:
   };
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int cell) const;
+  std::size_t sharesFor(std::size_t pages) const;
+  std::unique_ptr<SplitCell> makeSplit(int cell, std::size_t shares) const;
   void run(
     const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
   void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
@@ -83,7 +85,8 @@ private:
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one a worker
   std::vector<CellRays> Kept;                   ///< one a cell, once there is a second round
   std::vector<Task> Tasks;
-  std::vector<std::size_t> Batches; ///< first task of each, and the end
+  std::vector<std::size_t> Groups;  ///< of tasks for one worker: first of each, and the end
+  std::vector<std::size_t> Batches; ///< of groups: first of each, and the end
   std::vector<std::unique_ptr<SplitCell>> Splits;
 };
 }
