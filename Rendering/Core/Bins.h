@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace lambent
@@ -45,6 +46,8 @@ constexpr std::size_t pageSize = 1024;
 template <typename Item>
 struct Page
 {
+  static_assert(std::is_trivially_default_constructible_v<Item>, "new pages are not written to");
+
   static constexpr int capacity = static_cast<int>((pageSize - 8) / sizeof(Item));
 
   Page* next;
@@ -85,6 +88,7 @@ public:
       head.used = 0;
       ++head.pages;
     }
+    hwy::Prefetch(head.page->items + head.used + 8); // what is written soon is not at hand
     head.page->items[head.used++] = item;
   }
 

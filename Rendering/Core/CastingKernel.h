@@ -9,9 +9,9 @@
  *
  *     E(i, j) = constant + i perColumn + j perRow
  *
- * and so is the nearness N(i, j) of the hit. The six numbers of each edge, and those of
- * N, are computed in binary64, once for the cell; each ray then takes an addition and a
- * multiplication or two in float.
+ * and so is the nearness N(i, j) of the hit. The three numbers of each edge, and those of
+ * N, are computed in binary64, once for the cell; each ray then takes a multiplication
+ * and an addition in float.
  *
  * What is certain. An edge's numbers are divided by
  *

@@ -47,9 +47,8 @@ public:
       this->Ys[k] = frame.y(image.j0 + rays.j0 + k);
     }
     const std::size_t size = this->size() + vector;
-    constexpr Nearness nothing;
-    this->Lows.assign(size, nothing.low);
-    this->Highs.assign(size, nothing.high);
+    this->Lows.assign(size, noNearness.low);
+    this->Highs.assign(size, noNearness.high);
     this->Triangles.assign(size, noTriangle);
     this->Depths.assign(size, std::numeric_limits<double>::infinity());
     this->DepthOwners.assign(size, noTriangle);

@@ -18,10 +18,12 @@ namespace lambent
 {
 struct Nearness
 {
-  // Of no hit: farther than all.
-  float low = -std::numeric_limits<float>::infinity();
-  float high = -std::numeric_limits<float>::infinity();
+  float low, high;
 };
+
+/// Of no hit: farther than all.
+constexpr Nearness noNearness{ -std::numeric_limits<float>::infinity(),
+  -std::numeric_limits<float>::infinity() };
 
 /// How much wider, relatively, a range is made than what it was computed from: more than
 /// a few roundings to float.
