@@ -4,6 +4,7 @@
 // This file is compiled once for each instruction set, by including itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "NormalKernel.cxx"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -204,6 +205,7 @@ std::size_t add(const Coordinate* points, const Id* corners, std::size_t count, 
     {
       for (int corner = 0; corner < 3; ++corner)
       {
+        hwy::Prefetch(sums.data() + batch.places[corner][batch.count + lane]);
         const Coordinate* point = points + 3 * ids[3 * lane + corner];
         batch.points[3 * corner][batch.count + lane] = point[0];
         batch.points[3 * corner + 1][batch.count + lane] = point[1];
