@@ -141,6 +141,24 @@ vtkSmartPointer<vtkPolyData> makeSoup()
   return mesh.toPolyData();
 }
 
+vtkSmartPointer<vtkPolyData> makeCurtain()
+{
+  Random random;
+  MeshArrays mesh;
+  addCloud(mesh, random, 1000000, 1.0, 0.01);
+  addFacet(mesh, { -1, -1, 1.1 }, { 1, -1, 1.1 }, { -1, 1, 1.1 });
+  return mesh.toPolyData();
+}
+
+vtkSmartPointer<vtkPolyData> makeLate()
+{
+  Random random;
+  MeshArrays mesh;
+  addCloud(mesh, random, 2000000, 1.0, 0.00001);
+  addCloud(mesh, random, 2000, 1.0, 0.5);
+  return mesh.toPolyData();
+}
+
 vtkSmartPointer<vtkPolyData> makeBox()
 {
   constexpr Triple corners[8] = { { -1, -1, -1 }, { 1, -1, -1 }, { -1, 1, -1 }, { 1, 1, -1 },

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief meshes that a tree of triangles is good at and a stream of them is not
+ * @brief meshes that a tree of triangles is good at and a stream of them is not, or
+ * whose work is hard to share out
  */
 #ifndef HardMeshes_h
 #define HardMeshes_h
@@ -22,6 +23,12 @@ vtkSmartPointer<vtkPolyData> makeOnePixel();
 
 /// Ten million small triangles anywhere in a cube, in any order, no point shared.
 vtkSmartPointer<vtkPolyData> makeSoup();
+
+/// A million small facets, and one triangle before half of them.
+vtkSmartPointer<vtkPolyData> makeCurtain();
+
+/// Two million facets that fall between the rays, and in the end 2,000 large ones.
+vtkSmartPointer<vtkPolyData> makeLate();
 
 /// Twelve triangles.
 vtkSmartPointer<vtkPolyData> makeBox();

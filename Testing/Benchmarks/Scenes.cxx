@@ -76,7 +76,7 @@ Meshes fixedMeshes(const std::string& data, const std::string& cache)
     { "dragon-zoom", file("dragon.ply") }, { "dragon-parallel", file("dragon.ply") },
     { "dragon-uhd", file("dragon.ply") }, { "wave-300", wave(300) }, { "wave-600", wave(600) },
     { "layers", makeLayers }, { "needles", makeNeedles }, { "one-pixel", makeOnePixel },
-    { "soup", makeSoup }, { "box", makeBox } };
+    { "soup", makeSoup }, { "box", makeBox }, { "curtain", makeCurtain }, { "late", makeLate } };
 }
 
 void adjust(const std::string& name, BenchmarkScene& scene)

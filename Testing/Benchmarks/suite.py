@@ -29,6 +29,8 @@ HARD_SCENES = [
     "one-pixel",
     "box",
     "soup",
+    "curtain",
+    "late",
     "dragon-parallel",
     "dragon-uhd",
 ]
