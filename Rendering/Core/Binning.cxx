@@ -52,13 +52,14 @@ void Binning::bin(
   const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
   for (int k = 0; k < boxes.found; ++k)
   {
-    const Window box = this->Lattice.raysFrom(boxes.first[k], boxes.end[k]);
-    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[k] == 0;
-    const std::uint32_t triangle = first + boxes.triangles[k];
+    const std::uint32_t place = boxes.triangles[k];
+    const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
+    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
+    const std::uint32_t triangle = first + place;
     if (isExact && !isCulled && box.width() <= SmallTriangles::side &&
       box.height() <= SmallTriangles::side)
     {
-      const std::int32_t* const corners = boxes.corners + 3 * boxes.triangles[k];
+      const std::int32_t* const corners = boxes.corners + 3 * place;
       for (int corner = 0; corner < 3; ++corner)
       {
         hwy::Prefetch(surface.points.at(corners[corner])); // for flush()

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "AppendLanes.h"
 #include "VectorFrame.h"
 
 #include "Coverage.h"
@@ -125,8 +126,7 @@ Products acrossRow(const Lanes& t, Floats pv)
 int append(FloatMask mask, hn::Vec<U> rays, CoveredRay* out)
 {
   static_assert(sizeof(CoveredRay) == sizeof(std::uint32_t), "a lane is a ray");
-  return static_cast<int>(
-    hn::CompressStore(rays, hn::RebindMask(u, mask), u, reinterpret_cast<std::uint32_t*>(out)));
+  return appendLanes(u, rays, hn::RebindMask(u, mask), reinterpret_cast<std::uint32_t*>(out));
 }
 
 void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> rays,

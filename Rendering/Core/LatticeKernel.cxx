@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "AppendLanes.h"
 #include "VectorFrame.h"
 
 #include "LatticeKernel.h"
@@ -153,16 +154,17 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     { return static_cast<std::uint16_t>(std::min(p, std::min(q, r)) >> 1); };
     const auto end = [](int p, int q, int r)
     { return static_cast<std::uint16_t>((std::max(p, std::max(q, r)) + 1) >> 1); };
-    boxes.triangles[boxes.found] = static_cast<std::uint32_t>(k);
-    boxes.unplacedTriangles[boxes.unplaced] = static_cast<std::uint32_t>(k);
-    boxes.first[boxes.found] = { first(a.column, b.column, c.column), first(a.row, b.row, c.row) };
-    boxes.end[boxes.found] = { end(a.column, b.column, c.column), end(a.row, b.row, c.row) };
-    boxes.isInexact[boxes.found] = (a.column | b.column | c.column | a.row | b.row | c.row) & 1;
-    const bool isUnplaced =
-      std::max(a.column, std::max(b.column, c.column)) >= LatticePosition::notFinite;
-    boxes.unplaced += isUnplaced;
-    boxes.found += !isUnplaced && boxes.first[boxes.found].column < boxes.end[boxes.found].column &&
-      boxes.first[boxes.found].row < boxes.end[boxes.found].row;
+    boxes.first[k] = { first(a.column, b.column, c.column), first(a.row, b.row, c.row) };
+    boxes.end[k] = { end(a.column, b.column, c.column), end(a.row, b.row, c.row) };
+    boxes.isInexact[k] = (a.column | b.column | c.column | a.row | b.row | c.row) & 1;
+    if (std::max(a.column, std::max(b.column, c.column)) >= LatticePosition::notFinite)
+    {
+      boxes.unplacedTriangles[boxes.unplaced++] = static_cast<std::uint32_t>(k);
+    }
+    else if (boxes.first[k].column < boxes.end[k].column && boxes.first[k].row < boxes.end[k].row)
+    {
+      boxes.triangles[boxes.found++] = static_cast<std::uint32_t>(k);
+    }
   }
 }
 #else
@@ -204,18 +206,14 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     const auto keep = hn::AndNot(unplaced, hn::And(hasRays, used));
     const auto numbers = hn::BitCast(dp, hn::Iota(di, k));
     const auto inexact = hn::And(hn::BitCast(dp, hn::Or(hn::Or(a, b), c)), ones);
-    hn::CompressStore(numbers, keep, dp, boxes.triangles + boxes.found);
-    hn::CompressStore(hn::BitCast(dp, first), keep, dp,
-      reinterpret_cast<std::uint32_t*>(boxes.first + boxes.found));
-    hn::CompressStore(
-      hn::BitCast(dp, end), keep, dp, reinterpret_cast<std::uint32_t*>(boxes.end + boxes.found));
-    boxes.found +=
-      static_cast<int>(hn::CompressStore(inexact, keep, dp, boxes.isInexact + boxes.found));
+    hn::StoreU(hn::BitCast(dp, first), dp, reinterpret_cast<std::uint32_t*>(boxes.first + k));
+    hn::StoreU(hn::BitCast(dp, end), dp, reinterpret_cast<std::uint32_t*>(boxes.end + k));
+    hn::StoreU(inexact, dp, boxes.isInexact + k);
+    boxes.found += appendLanes(dp, numbers, keep, boxes.triangles + boxes.found);
     const auto aside = hn::And(unplaced, used);
     if (!hn::AllFalse(dp, aside))
     {
-      boxes.unplaced += static_cast<int>(
-        hn::CompressStore(numbers, aside, dp, boxes.unplacedTriangles + boxes.unplaced));
+      boxes.unplaced += appendLanes(dp, numbers, aside, boxes.unplacedTriangles + boxes.unplaced);
     }
   }
 }

@@ -25,12 +25,13 @@ struct LatticeBoxes
   int count = 0;
   std::int32_t corners[3 * capacity];
 
-  /// Coming out: the triangles with a ray in their box, by their place among those
-  /// that went in, the ends of that box, and whether it is exact.
-  int found = 0;
-  std::uint32_t triangles[capacity];
+  /// Coming out: the ends of each triangle's box, and whether it is inexact.
   LatticePosition first[capacity], end[capacity];
   std::uint32_t isInexact[capacity];
+
+  /// The triangles with a ray in their box, by their place among those that went in.
+  int found = 0;
+  std::uint32_t triangles[capacity];
 
   /// And those with a point that is anywhere or not finite.
   int unplaced = 0;
