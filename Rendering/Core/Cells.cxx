@@ -17,7 +17,7 @@ constexpr std::size_t mostWeightInGroup = 128;
 
 // Of a batch, in pages; an empty cell counts as much as a few. A batch takes some
 // milliseconds, so that progress is told and an abort heard in time.
-constexpr std::size_t batchWeight = 8 * 1024;
+constexpr std::size_t mostWeightInBatch = 8 * 1024;
 constexpr std::size_t emptyCellWeight = 2;
 
 /// Calls body(bins, level, bin) for the bins of a cell and of those above it.
@@ -53,55 +53,66 @@ void Cells::plan(const std::vector<const Bins*>& bins)
   this->Splits.clear();
   this->Groups.assign(1, 0);
   this->Batches.assign(1, 0);
-  std::size_t groupWeight = 0, groupCells = 0, weight = 0;
-  const auto endGroup = [&]()
-  {
-    if (this->Groups.back() != this->Tasks.size())
-    {
-      this->Groups.push_back(this->Tasks.size());
-    }
-    groupWeight = groupCells = 0;
-  };
-  const auto endBatch = [&]()
-  {
-    endGroup();
-    if (this->Batches.back() != this->Groups.size() - 1)
-    {
-      this->Batches.push_back(this->Groups.size() - 1);
-    }
-    weight = 0;
-  };
+  std::size_t groupWeight = 0, groupCells = 0, batchWeight = 0;
   for (int cell = 0; cell < this->Grid.cellCount(); ++cell)
   {
     const std::size_t pages = this->countPages(bins, cell);
     const std::size_t shares = this->sharesFor(pages);
+    const std::size_t weight = pages + emptyCellWeight;
+    if (shares > 1 || groupCells == mostCellsInGroup || groupWeight > mostWeightInGroup)
+    {
+      this->endGroup();
+      groupWeight = groupCells = 0;
+    }
+    if (batchWeight > mostWeightInBatch)
+    {
+      this->endBatch();
+      groupWeight = groupCells = batchWeight = 0;
+    }
+    groupWeight += weight;
+    batchWeight += weight;
+    ++groupCells;
     if (shares > 1)
     {
-      endGroup();
-      const auto split = static_cast<int>(this->Splits.size());
-      this->Splits.push_back(this->makeSplit(cell, shares));
-      for (std::size_t share = 0; share < shares; ++share)
-      {
-        this->Tasks.push_back({ cell, static_cast<int>(share), static_cast<int>(shares), split });
-        endGroup();
-      }
+      this->addShares(cell, shares);
     }
     else
     {
       this->Tasks.push_back({ cell, 0, static_cast<int>(shares), -1 });
-      groupWeight += pages + emptyCellWeight;
-      if (++groupCells == mostCellsInGroup || groupWeight > mostWeightInGroup)
-      {
-        endGroup();
-      }
-    }
-    weight += pages + emptyCellWeight;
-    if (weight > batchWeight)
-    {
-      endBatch();
     }
   }
-  endBatch();
+  this->endBatch();
+}
+
+/// Each share of a split cell is a group of its own.
+void Cells::addShares(int cell, std::size_t shares)
+{
+  const auto split = static_cast<int>(this->Splits.size());
+  this->Splits.push_back(std::make_unique<SplitCell>());
+  this->Splits.back()->remaining = static_cast<int>(shares);
+  this->Splits.back()->rays.reset(this->Frame, this->Image, this->Grid, this->Grid.window(cell));
+  for (std::size_t share = 0; share < shares; ++share)
+  {
+    this->Tasks.push_back({ cell, static_cast<int>(share), static_cast<int>(shares), split });
+    this->endGroup();
+  }
+}
+
+void Cells::endGroup()
+{
+  if (this->Groups.back() != this->Tasks.size())
+  {
+    this->Groups.push_back(this->Tasks.size());
+  }
+}
+
+void Cells::endBatch()
+{
+  this->endGroup();
+  if (this->Batches.back() != this->Groups.size() - 1)
+  {
+    this->Batches.push_back(this->Groups.size() - 1);
+  }
 }
 
 /// Into how many tasks a cell is split; 0 if it has nothing to do.
@@ -111,14 +122,6 @@ std::size_t Cells::sharesFor(std::size_t pages) const
   return workers > 1 && pages > pagesToSplit
     ? std::min({ pages / (pagesToSplit / 4), 4 * workers, maximumShares })
     : std::min<std::size_t>(pages, 1);
-}
-
-std::unique_ptr<Cells::SplitCell> Cells::makeSplit(int cell, std::size_t shares) const
-{
-  auto split = std::make_unique<SplitCell>();
-  split->remaining = static_cast<int>(shares);
-  split->rays.reset(this->Frame, this->Image, this->Grid, this->Grid.window(cell));
-  return split;
 }
 
 void Cells::run(std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel,

@@ -70,7 +70,9 @@ private:
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int cell) const;
   std::size_t sharesFor(std::size_t pages) const;
-  std::unique_ptr<SplitCell> makeSplit(int cell, std::size_t shares) const;
+  void addShares(int cell, std::size_t shares);
+  void endGroup();
+  void endBatch();
   void run(
     const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
   void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
