@@ -100,9 +100,10 @@ public:
     int count = head.used;
     for (const Page<Item>* page = head.page; page; page = page->next)
     {
-      for (std::size_t line = 0; line < sizeof(Page<Item>); line += 64)
+      const auto* next = reinterpret_cast<const char*>(page->next);
+      for (std::size_t line = 0; next && line < sizeof(Page<Item>); line += 64)
       {
-        hwy::Prefetch(reinterpret_cast<const char*>(page->next) + line);
+        hwy::Prefetch(next + line);
       }
       body(page->items, count);
       count = pageCapacity;
