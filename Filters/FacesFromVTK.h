@@ -23,7 +23,8 @@ public:
   FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel);
 
   const lambent::Faces& faces() const { return this->Faces; }
-  bool hasStrips() const { return !this->Merged.cells.empty(); }
+  /// Also if they are all too short to have a triangle.
+  bool hasStrips() const { return !this->Merged.offsets.empty(); }
 
   /// How many cells count for nothing because of coordinates that are not finite;
   /// empty if none.
