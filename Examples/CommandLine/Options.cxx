@@ -3,6 +3,7 @@
 
 #include "Options.h"
 #include "FileKinds.h"
+#include "Messages.h"
 
 #include <CLI/CLI.hpp>
 
@@ -202,7 +203,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   catch (const CLI::ParseError& error)
   {
     parsed.exitStatus = 2;
-    parsed.standardError = std::string("lambent: ") + error.what() + "\nTry 'lambent --help'.\n";
+    parsed.standardError = "lambent: " + OneLine(error.what()) + "\nTry 'lambent --help'.\n";
   }
   return parsed;
 }
