@@ -4,6 +4,7 @@
 
 #include "FacesFromVTK.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -34,6 +37,23 @@ vtkSmartPointer<vtkTypeInt64Array> toArray(const lambent::IndexSpan& indices)
     array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(indices[i]));
   }
   return array;
+}
+
+// VTK's own copying relies on it.
+void checkLengths(vtkDataSetAttributes* data, vtkIdType expected, const std::string& kind)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != expected)
+    {
+      const std::string name = array->GetName() ? array->GetName() : "";
+      throw std::runtime_error("The " + kind + " data array \"" + name + "\" has " +
+        std::to_string(array->GetNumberOfTuples()) + " tuples, but there are " +
+        std::to_string(expected) + " " + kind +
+        "s, each of which needs one. Remove the array or give it the right length.");
+    }
+  }
 }
 
 // The tuples named by sources, in that order, of all arrays.
@@ -66,6 +86,7 @@ void copyPoints(
   input->GetPoints()->GetData()->GetTuples(sources, points->GetData());
   points->GetData()->SetName(input->GetPoints()->GetData()->GetName());
   output->SetPoints(points);
+  checkLengths(output->GetPointData(), before, "point");
   copyTuples(output->GetPointData(), sources);
 }
 
@@ -82,6 +103,7 @@ void setPolygons(
     {
       sources->SetId(others + face, others + mesh.cellOf(face));
     }
+    checkLengths(output->GetCellData(), output->GetNumberOfCells(), "cell");
     copyTuples(output->GetCellData(), sources);
     output->SetStrips(nullptr);
   }

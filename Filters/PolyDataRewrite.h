@@ -5,7 +5,8 @@
  * @brief give a polydata other points and polygons, and let its data follow
  *
  * The output starts as a shallow copy of the input. What is changed is replaced by
- * new arrays, so that the input keeps its own.
+ * new arrays, so that the input keeps its own. Both throw std::runtime_error, with what
+ * to do about it, if data that is to follow has the wrong length.
  */
 #ifndef PolyDataRewrite_h
 #define PolyDataRewrite_h

@@ -46,7 +46,8 @@
  * that are not computed are passed on.
  *
  * Bad input: a cell that names a point that does not exist is an error, and the
- * output is empty. Polygons and strips with an infinite or undefined coordinate
+ * output is empty; so is, where points are duplicated or strips become triangles, a
+ * data array of the wrong length. Polygons and strips with an infinite or undefined coordinate
  * contribute nothing, and bring one warning. An empty input gives an empty output.
  *
  * @warning

@@ -227,6 +227,58 @@ TEST(LambentNormalsBadInput, BlocksOfPolygonsWithoutPoints)
     referenceNormals(makeCube(), vtkLambentNormals::ANGLE));
 }
 
+// What follows points and cells that are copied must be long enough to be copied.
+TEST(LambentNormalsBadInput, DataOfTheWrongLength)
+{
+  vtkNew<vtkLambentNormals> normals;
+  const Messages messages(normals);
+  normals->SplittingOn();
+  vtkSmartPointer<vtkPolyData> cube = makeCube();
+  cube->GetPointData()->AddArray(makeNumbers("short", 7));
+  normals->SetInputData(cube);
+  normals->Update();
+  expectParts(messages.errors, { "point data array \"short\" has 7 tuples", "8 points", "Remove" });
+  EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0);
+  normals->SplittingOff(); // now it only passes through
+  normals->Update();
+  EXPECT_EQ(messages.errors.size(), 1u);
+  EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 8);
+
+  vtkSmartPointer<vtkPolyData> strip = makeCube();
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 1, 2, 3 });
+  strip->SetStrips(strips);
+  strip->GetCellData()->AddArray(makeNumbers("long", 8));
+  normals->SetInputData(strip);
+  normals->FlipNormalsOn();
+  normals->Update();
+  ASSERT_EQ(messages.errors.size(), 2u);
+  expectParts(
+    { messages.errors.back() }, { "cell data array \"long\" has 8 tuples", "7 cells", "Remove" });
+  EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0);
+  normals->FlipNormalsOff();
+  expectNextGoodUpdateWorks(normals, messages);
+}
+
+// Strips of fewer than three points have no triangles. Where strips become triangles
+// nothing is left of them, and each cell that is left has its normal.
+TEST(LambentNormalsBadInput, StripsWithoutATriangle)
+{
+  vtkSmartPointer<vtkPolyData> cube = makeCube();
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell(0);
+  strips->InsertNextCell({ 0, 1 });
+  cube->SetStrips(strips);
+  vtkNew<vtkLambentNormals> normals;
+  const Messages messages(normals);
+  normals->SetInputData(cube);
+  normals->ComputeCellNormalsOn();
+  normals->Update();
+  EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 6);
+  EXPECT_EQ(normals->GetOutput()->GetCellData()->GetNormals()->GetNumberOfTuples(), 6);
+  EXPECT_TRUE(messages.errors.empty());
+}
+
 TEST(LambentNormalsBadInput, NothingGivesNothing)
 {
   for (bool everything : { false, true })
