@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line, with a zero byte after each argument: a message and a status, or options that
+// make sense.
+#include "FuzzInput.h"
+
+#include "Options.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace lambent::command;
+
+namespace
+{
+void requireFinite(const Triple& v)
+{
+  require(std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]), "vectors are finite");
+}
+
+void requireColor(const Triple& v)
+{
+  for (const double channel : v)
+  {
+    require(channel >= 0.0 && channel <= 1.0, "colours lie between 0 and 1");
+  }
+}
+
+void check(const Options& options)
+{
+  require(!options.inputs.empty() && !options.output.empty(), "there are inputs and an output");
+  require(options.size[0] >= 1 && options.size[1] >= 1, "there are pixels");
+  require(options.diffuse >= 0 && options.diffuse <= 1, "diffuse lies between 0 and 1");
+  require(options.ambient >= 0 && options.ambient <= 1, "ambient lies between 0 and 1");
+  require(options.zoom > 0 && std::isfinite(options.zoom), "the zoom is positive");
+  require(options.threads >= 0 && options.threads <= 1024, "threads are few");
+  require(!(options.quiet && options.verbose), "it is not both quiet and verbose");
+  require(!(options.cameraPosition && options.direction), "one says where the camera is");
+  requireColor(options.background);
+  requireColor(options.color);
+  requireColor(options.ambientColor.value_or(options.color));
+  for (const auto& v :
+    { options.cameraPosition, options.focalPoint, options.viewUp, options.direction })
+  {
+    requireFinite(v.value_or(Triple{}));
+  }
+  for (const LightValue& light : options.lights)
+  {
+    requireColor(light.color);
+    requireFinite(light.place);
+    requireFinite(light.focus);
+    requireFinite(light.attenuation);
+    require(std::isfinite(light.intensity) && std::isfinite(light.cone) &&
+        std::isfinite(light.exponent) && light.exponent >= 0,
+      "lights are finite");
+  }
+}
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  std::vector<std::string> arguments{ "lambent" };
+  std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
+  for (std::string argument; std::getline(text, argument, '\0');)
+  {
+    arguments.push_back(argument);
+  }
+  std::vector<const char*> argv;
+  for (const std::string& argument : arguments)
+  {
+    argv.push_back(argument.c_str());
+  }
+  const Parsed parsed = ParseOptions(static_cast<int>(argv.size()), argv.data(), "0");
+  if (parsed.exitStatus)
+  {
+    require(*parsed.exitStatus == 0 || *parsed.exitStatus == 2, "the status is 0 or 2");
+    const std::string& error = parsed.standardError;
+    require(std::count(error.begin(), error.end(), '\n') == *parsed.exitStatus,
+      "wrong usage brings a line and a hint");
+    require((*parsed.exitStatus == 0) != parsed.standardOutput.empty(), "help is printed");
+    return 0;
+  }
+  check(parsed.options);
+  return 0;
+}
