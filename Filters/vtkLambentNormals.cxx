@@ -112,6 +112,10 @@ bool vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
     return !isAborted(this);
   };
 
+  if (isAborted(this)) // by who was told that it begins
+  {
+    return false;
+  }
   output->ShallowCopy(input);
   FacesFromVTK mesh(input, parallel);
   if (!mesh.warning().empty())

@@ -22,7 +22,7 @@ FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyD
   this->addCamera(parallel);
   this->addLights();
   this->addBackground();
-  this->Surfaces.addPointNormals(filter->GetUsePointNormals() != 0);
+  this->Surfaces.addPointNormals(filter->GetUsePointNormals() != 0, filter);
   this->Description.surfaces = this->Surfaces.surfaces();
 }
 

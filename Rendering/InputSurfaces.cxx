@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurfaces.h"
 
+#include "Abort.h"
 #include "vtkLambentNormals.h"
 
 #include "vtkCallbackCommand.h"
@@ -28,8 +29,17 @@ void forInput(std::size_t input, Body&& body)
   }
 }
 
+/// Aborts a filter as soon as the one that it works for is.
+void followAbort(vtkObject* filter, unsigned long, void* owner, void*)
+{
+  if (isAborted(static_cast<vtkAlgorithm*>(owner)))
+  {
+    static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+  }
+}
+
 /// Angle-weighted normals of a mesh, whose attributes are not looked at.
-vtkSmartPointer<vtkDataArray> computeNormals(vtkPolyData* input)
+vtkSmartPointer<vtkDataArray> computeNormals(vtkPolyData* input, vtkAlgorithm* owner)
 {
   vtkNew<vtkPolyData> mesh;
   mesh->CopyStructure(input);
@@ -43,6 +53,10 @@ vtkSmartPointer<vtkDataArray> computeNormals(vtkPolyData* input)
   filter->AddObserver(vtkCommand::ErrorEvent, silence);
   filter->AddObserver(vtkCommand::WarningEvent, silence);
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
+  vtkNew<vtkCallbackCommand> follow;
+  follow->SetClientData(owner);
+  follow->SetCallback(followAbort);
+  filter->AddObserver(vtkCommand::ProgressEvent, follow);
   filter->Update();
   return filter->GetOutput()->GetPointData()->GetNormals();
 }
@@ -70,7 +84,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   }
 }
 
-void InputSurfaces::addPointNormals(bool useOwn)
+void InputSurfaces::addPointNormals(bool useOwn, vtkAlgorithm* owner)
 {
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
@@ -82,10 +96,12 @@ void InputSurfaces::addPointNormals(bool useOwn)
     vtkSmartPointer<vtkDataArray> normals = this->Inputs[k]->GetPointData()->GetNormals();
     if (!useOwn || !normals)
     {
-      normals = computeNormals(this->Inputs[k]);
+      normals = computeNormals(this->Inputs[k], owner);
       this->ComputedNormals.push_back(normals);
     }
-    if (normals) // else the mesh has a wrong corner, which is found when it is streamed
+    // None if the mesh has a wrong corner, which is found when it is streamed, or if the
+    // owner was aborted.
+    if (normals)
     {
       forInput(k, [&]() { this->Surfaces[k]->setPointNormals(normals); });
     }

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+class vtkAlgorithm;
+
 class InputSurfaces
 {
 public:
@@ -24,8 +26,9 @@ public:
     const std::vector<lambent::Material>& materials, const lambent::Parallel& parallel);
 
   /// Give those that are shaded smooth their point normals: their own if they have
-  /// some and these are wanted, computed ones otherwise.
-  void addPointNormals(bool useOwn);
+  /// some and these are wanted, computed ones otherwise. Stops early if the filter that
+  /// they are for, the owner, is aborted.
+  void addPointNormals(bool useOwn, vtkAlgorithm* owner);
 
   lambent::Bounds bounds(const lambent::Parallel& parallel) const;
   std::vector<lambent::Surface> surfaces() const;

@@ -291,8 +291,16 @@ bool vtkLambentRayTracer::MakePicture(
     vtkWarningMacro("The camera has settings that are not supported and are ignored: "
       << unsupportedSettings(this->Camera) << ".");
   }
+  if (isAborted(this)) // by who was told that it begins
+  {
+    return false;
+  }
   const SMPParallel parallel;
   const FilterScene description(this, meshes, parallel);
+  if (isAborted(this))
+  {
+    return false;
+  }
   const lambent::Report report = lambent::render(description.scene(),
     allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output), parallel,
     [this](double fraction)

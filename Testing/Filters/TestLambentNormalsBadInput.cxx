@@ -333,23 +333,31 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
 
 TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutput)
 {
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* data)
-    {
-      if (*static_cast<double*>(data) > 0.3)
+  for (double fraction : { 0.0, 0.1, 0.3, 0.5, 0.95 }) // each of the moments that are told
+  {
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(&fraction);
+    observer->SetCallback(
+      [](vtkObject* caller, unsigned long, void* from, void* data)
       {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  vtkNew<vtkLambentNormals> normals;
-  const Messages messages(normals);
-  const unsigned long tag = normals->AddObserver(vtkCommand::ProgressEvent, observer);
-  normals->SetInputData(makeRandomMesh({}));
-  normals->Update();
-  EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_TRUE(messages.errors.empty());
-  normals->RemoveObserver(tag);
-  normals->SetAbortExecute(0);
-  expectNextGoodUpdateWorks(normals, messages);
+        if (*static_cast<double*>(data) >= *static_cast<double*>(from))
+        {
+          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+        }
+      });
+    vtkNew<vtkLambentNormals> normals;
+    const Messages messages(normals);
+    const unsigned long tag = normals->AddObserver(vtkCommand::ProgressEvent, observer);
+    normals->ComputeCellNormalsOn();
+    normals->SplittingOn();
+    normals->SetInputData(makeRandomMesh({}));
+    normals->Update();
+    EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0) << fraction;
+    EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0) << fraction;
+    EXPECT_TRUE(messages.errors.empty());
+    normals->RemoveObserver(tag);
+    normals->SetAbortExecute(0);
+    normals->SplittingOff();
+    expectNextGoodUpdateWorks(normals, messages);
+  }
 }

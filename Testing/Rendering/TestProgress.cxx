@@ -81,6 +81,34 @@ TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
   EXPECT_TRUE(messages.warnings().empty());
 }
 
+// At each of up to twenty of the moments at which the picture tells of its progress.
+TEST(Progress, AbortAtAnyMoment)
+{
+  Studio studio(640, 480);
+  studio.tracer->SetInputData(makeSphere(60));
+  const Picture expected = render(studio.tracer);
+  Watcher watcher(studio.tracer);
+  studio.tracer->Modified();
+  studio.tracer->Update();
+  const std::vector<double> moments = watcher.told;
+  ASSERT_GT(moments.size(), 3u);
+  const std::size_t step = 1 + moments.size() / 20;
+  for (std::size_t k = 0; k < moments.size(); k += step)
+  {
+    watcher.abortAt = std::nextafter(moments[k], -1.0);
+    studio.tracer->Modified();
+    studio.tracer->Update();
+    EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0) << moments[k];
+    EXPECT_EQ(studio.tracer->GetOutput()->GetPointData()->GetScalars(), nullptr) << moments[k];
+    watcher.abortAt = 2.0;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+    studio.tracer->AbortExecuteOff(); // older executives do that themselves
+#endif
+    const Picture again = render(studio.tracer);
+    EXPECT_SAME_BITS(expected, again) << moments[k];
+  }
+}
+
 // The executive tells of 1 in any case; the picture's own making does too.
 TEST(Progress, OfThePictureItselfRisesToOne)
 {
