@@ -7,8 +7,10 @@
 #include "vtkSMPTools.h"
 
 #include <fstream>
+#include <thread>
 
 #ifdef __unix__
+#include <sys/wait.h>
 #include <unistd.h>
 #endif
 
@@ -95,6 +97,70 @@ TEST(Threads, RepeatedPicturesAreTheSame)
     EXPECT_SAME_BITS(first, again);
   }
 }
+
+// Filters know nothing of each other, so several may work at the same time.
+TEST(Threads, SeveralFiltersAtTheSameTime)
+{
+  constexpr int count = 3;
+  const auto draw = [](int k, int times)
+  {
+    std::vector<std::string> pictures;
+    Studio studio(150 + 10 * k, 120);
+    setUp(studio, 20 + 3 * k);
+    for (int time = 0; time < times; ++time)
+    {
+      studio.tracer->Modified();
+      pictures.push_back(render(studio.tracer).bits());
+    }
+    return pictures;
+  };
+  std::vector<std::string> found[count];
+  std::vector<std::thread> threads;
+  for (int k = 0; k < count; ++k)
+  {
+    threads.emplace_back([&found, &draw, k]() { found[k] = draw(k, 10); });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const std::string expected = draw(k, 1).front();
+    for (const std::string& bits : found[k])
+    {
+      EXPECT_TRUE(bits == expected) << k;
+    }
+  }
+}
+
+#ifdef __unix__
+// A process that comes from fork() has the backend, but none of its threads.
+TEST(Threads, WorkAfterFork)
+{
+  for (const std::string& backend : backends())
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, backend, false },
+      [&]()
+      {
+        Studio studio(321, 243);
+        setUp(studio, 30);
+        const std::string expected = render(studio.tracer).bits();
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0)
+        {
+          alarm(60); // ends the process rather than let it hang
+          studio.tracer->Modified();
+          _exit(render(studio.tracer).bits() == expected ? 0 : 1);
+        }
+        int status = -1;
+        ASSERT_EQ(waitpid(child, &status, 0), child);
+        EXPECT_EQ(status, 0) << backend;
+      });
+  }
+}
+#endif
 
 // 32 kB of pixels and about as much of work a picture: to leak either would show.
 TEST(Threads, AThousandPicturesDoNotGrowMemory)
