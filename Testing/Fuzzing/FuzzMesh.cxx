@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -185,6 +186,7 @@ ErrorCount::ErrorCount(vtkAlgorithm* algorithm)
 {
   vtkNew<SilentWindow> silence;
   vtkOutputWindow::SetInstance(silence);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(&this->errors);
   command->SetCallback(count);
