@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Which lines and branches do no tests reach?
+#   sh Testing/Coverage/run.sh [options of ctest]
+# The table is printed; build/coverage/report/index.html shows each line. Branches that only an
+# exception takes are not counted.
+set -eu
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)
+. "$root/.ci/setup.sh"
+
+need "coverage" gcovr
+need_build
+install_missing
+build="$root/build/coverage"
+configure -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=g++ -DLAMBENT_WRAP_PYTHON=OFF \
+  "-DCMAKE_CXX_FLAGS=-O1 --coverage -fprofile-update=atomic"
+compile
+find "$build" -name '*.gcda' -delete
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" --exclude-regex '^Build\.' "$@" >&2 ||
+  say "Some tests failed; what they reached counts all the same"
+mkdir -p "$build/report"
+gcovr --root "$root" --object-directory "$build" --exclude-throw-branches \
+  --exclude-unreachable-branches --filter "$root/Rendering/" --filter "$root/Filters/" \
+  --filter "$root/Examples/CommandLine/" --html-details "$build/report/index.html" \
+  --txt "$build/report/lines.txt" --print-summary "$build"
+cat "$build/report/lines.txt"

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Breaks each formula once and sees that a test fails.
+
+    python3 Testing/Mutation/run.py [--build FOLDER] [--jobs N] [PART OF A FILE'S NAME OR REASON]...
+
+Works on a copy of the sources, in FOLDER (build/mutation). Each of mutations.py is put in, what it
+touches is compiled, and the tests of that area run until one fails. Those that no test notices are
+listed at the end: they want a test, or a reason why nobody can see them.
+"""
+
+import argparse
+import pathlib
+import subprocess
+import sys
+
+from mutations import MUTATIONS
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+# What tests a file, by the beginning of its path. The first that fits.
+TESTS = (("Rendering/Core/", ("TestLambentCore", "TestLambentRendering")),
+         ("Rendering/", ("TestLambentRendering",)),
+         ("Filters/", ("TestLambentFilters",)))
+
+# They look at progress or at memory, not at formulas, and take long.
+FILTER = "-*GrowMemory*:Progress.*"
+
+
+def tests_of(path):
+    return next(tests for start, tests in TESTS if path.startswith(start))
+
+
+class Mutant:
+    """A copy of the sources with its build."""
+
+    def __init__(self, folder, jobs):
+        self.source = folder / "source"
+        self.binaries = folder / "build"
+        self.jobs = str(jobs)
+        for path in subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, text=True,
+                                   stdout=subprocess.PIPE).stdout.splitlines():
+            self.write(path, (ROOT / path).read_bytes())
+        self.run("cmake", "-S", self.source, "-B", self.binaries, "-G", "Ninja",
+                 "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
+                 "-DLAMBENT_WRAP_PYTHON=OFF",
+                 "-DLAMBENT_BUILD_EXAMPLES=OFF", check=True)
+
+    def write(self, path, content):
+        """Only what differs, so that nothing is compiled for no reason."""
+        target = self.source / path
+        if not target.exists() or target.read_bytes() != content:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+
+    def run(self, *command, **keywords):
+        return subprocess.run([str(part) for part in command], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, **keywords)
+
+    def first_failure(self, tests):
+        """The first test that fails, or None. Programs are built one by one: often the first one
+        tells."""
+        for test in tests:
+            done = self.run("cmake", "--build", self.binaries, "--parallel", self.jobs,
+                            "--target", test)
+            if done.returncode:
+                raise ValueError("does not compile: correct mutations.py\n" + done.stdout[-2000:])
+            try:
+                done = self.run(self.binaries / "bin" / test, "--gtest_fail_fast",
+                                "--gtest_brief=1", "--gtest_filter=" + FILTER, timeout=600)
+            except subprocess.TimeoutExpired:
+                return test + " does not end"
+            if done.returncode:
+                failed = [line.split("]")[1].split("(")[0].strip()
+                          for line in done.stdout.splitlines() if line.startswith("[  FAILED  ]")]
+                return failed[0] if failed else f"{test} ends with {done.returncode}"
+        return None
+
+    def outcome(self, path, old, new):
+        """What becomes of one mutation: (whether it survives, a word on it)."""
+        text = (ROOT / path).read_text()
+        if text.count(old) != 1:
+            return True, f"is there {text.count(old)} times: correct mutations.py"
+        self.write(path, text.replace(old, new).encode())
+        try:
+            failure = self.first_failure(tests_of(path))
+            return failure is None, failure or "no test fails"
+        except ValueError as error:
+            return True, str(error)
+        finally:
+            self.write(path, text.encode())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "mutation")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("only", nargs="*")
+    arguments = parser.parse_args()
+    chosen = [m for m in MUTATIONS
+              if not arguments.only or any(o in m[0] or o in m[3] for o in arguments.only)]
+    mutant = Mutant(arguments.build, arguments.jobs)
+    failure = mutant.first_failure(sorted({test for m in chosen for test in tests_of(m[0])}))
+    if failure:
+        sys.exit("This fails without a mutation: " + failure)
+    survivors = []
+    for path, old, new, reason in chosen:
+        survives, word = mutant.outcome(path, old, new)
+        print(f"{'SURVIVES' if survives else 'killed  '} {path}: {reason}: {word}", flush=True)
+        if survives:
+            survivors.append((path, reason, word))
+    print(f"{len(chosen)} mutations, {len(survivors)} survivors")
+    for path, reason, word in survivors:
+        print(f"  {path}: {reason}: {word}")
+    sys.exit(1 if survivors else 0)
+
+
+if __name__ == "__main__":
+    main()
