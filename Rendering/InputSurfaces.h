@@ -30,6 +30,14 @@ public:
   /// they are for, the owner, is aborted.
   void addPointNormals(bool useOwn, vtkAlgorithm* owner);
 
+  /// Which input and cell a triangle, counted over all inputs, belongs to.
+  struct Place
+  {
+    std::size_t input;
+    std::int64_t cell;
+  };
+  Place find(std::size_t triangle) const;
+
   lambent::Bounds bounds(const lambent::Parallel& parallel) const;
   std::vector<lambent::Surface> surfaces() const;
 
@@ -39,14 +47,6 @@ public:
   std::string describeNotFinite(const lambent::MeshDefects& defects) const;
 
 private:
-  /// Which input and cell a triangle belongs to.
-  struct Place
-  {
-    std::size_t input;
-    std::int64_t cell;
-  };
-  Place find(std::size_t triangle) const;
-
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
   std::vector<vtkSmartPointer<vtkDataArray>> ComputedNormals;

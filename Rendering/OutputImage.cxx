@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputImage.h"
 
+#include "InputSurfaces.h"
+
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -60,4 +64,33 @@ lambent::Image allocateImage(
     image.floats = floats->GetPointer(0);
   }
   return image;
+}
+
+void addIds(
+  const std::vector<std::uint32_t>& triangles, const InputSurfaces& surfaces, vtkImageData* output)
+{
+  const auto pixels = static_cast<vtkIdType>(triangles.size());
+  vtkNew<vtkIdTypeArray> cells, inputs;
+  cells->SetName("CellIds");
+  inputs->SetName("InputIds");
+  cells->SetNumberOfTuples(pixels);
+  inputs->SetNumberOfTuples(pixels);
+  vtkIdType* const cell = cells->GetPointer(0);
+  vtkIdType* const input = inputs->GetPointer(0);
+  vtkSMPTools::For(0, pixels,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        cell[k] = input[k] = -1;
+        if (triangles[k] != lambent::noTriangle)
+        {
+          const InputSurfaces::Place place = surfaces.find(triangles[k]);
+          cell[k] = static_cast<vtkIdType>(place.cell);
+          input[k] = static_cast<vtkIdType>(place.input);
+        }
+      }
+    });
+  output->GetPointData()->AddArray(cells);
+  output->GetPointData()->AddArray(inputs);
 }

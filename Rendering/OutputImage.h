@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief memory for the picture, in the filter's output
+ * @brief what the filter puts into its output
  */
 #ifndef OutputImage_h
 #define OutputImage_h
 
 #include "Render.h"
 
+#include <vector>
+
+class InputSurfaces;
 class vtkImageData;
 class vtkInformation;
 
@@ -16,5 +19,10 @@ class vtkInformation;
 /// whole image. Throws std::bad_alloc for more than the machine has memory.
 lambent::Image allocateImage(
   const int size[2], int scalarType, vtkInformation* outInfo, vtkImageData* output);
+
+/// Add the point arrays "CellIds" and "InputIds" to the output, from the number of the
+/// triangle that each pixel shows.
+void addIds(
+  const std::vector<std::uint32_t>& triangles, const InputSurfaces& surfaces, vtkImageData* output);
 
 #endif

@@ -51,6 +51,7 @@ vtkLambentRayTracer::vtkLambentRayTracer()
   , Background2{ 0.0, 0.0, 0.0 }
   , OutputScalarType(VTK_UNSIGNED_CHAR)
   , UsePointNormals(1)
+  , GenerateIds(0)
   , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(1);
@@ -301,8 +302,14 @@ bool vtkLambentRayTracer::MakePicture(
   {
     return false;
   }
-  const lambent::Report report = lambent::render(description.scene(),
-    allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output), parallel,
+  lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
+  std::vector<std::uint32_t> triangles;
+  if (this->GenerateIds)
+  {
+    triangles.resize(output->GetNumberOfPoints());
+    image.triangles = triangles.data();
+  }
+  const lambent::Report report = lambent::render(description.scene(), image, parallel,
     [this](double fraction)
     {
       this->UpdateProgress(fraction);
@@ -315,6 +322,10 @@ bool vtkLambentRayTracer::MakePicture(
   if (report.outcome == lambent::Outcome::Done && report.defects.notFinite > 0)
   {
     vtkWarningMacro(<< description.surfaces().describeNotFinite(report.defects));
+  }
+  if (report.outcome == lambent::Outcome::Done && this->GenerateIds)
+  {
+    addIds(triangles, description.surfaces(), output);
   }
   return report.outcome == lambent::Outcome::Done;
 }
@@ -356,4 +367,5 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
      << "\n";
   printSwitch("UsePointNormals", this->UsePointNormals);
+  printSwitch("GenerateIds", this->GenerateIds);
 }

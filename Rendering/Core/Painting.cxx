@@ -33,6 +33,7 @@ void Painting::paintPlainly(const CellRays& rays) const
                                : this->Colors.color(triangle, rays.xs()[i], rays.ys()[j]));
     }
   }
+  this->noteTriangles(rays);
 }
 
 void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
@@ -52,6 +53,7 @@ void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
     }
   }
   this->shade(batch);
+  this->noteTriangles(rays);
 }
 
 /// Put the hits of some rays of a row into the batch. Whether a ray hits, and whether the
@@ -85,6 +87,17 @@ void Painting::collect(const CellRays& rays, int row, int begin, int end, ShadeB
   batch.runs = runs;
 }
 
+void Painting::noteTriangles(const CellRays& rays) const
+{
+  const Window& window = rays.window();
+  for (int row = 0; this->Target.triangles && row < window.height(); ++row)
+  {
+    std::copy_n(rays.triangles() + static_cast<std::size_t>(row) * rays.stride(), window.width(),
+      this->Target.triangles +
+        static_cast<std::size_t>(window.j0 + row) * this->Target.part.width() + window.i0);
+  }
+}
+
 Vec3 Painting::background(int j) const
 {
   const Vec3& bottom = this->Description.background;
@@ -98,6 +111,10 @@ void Painting::paintBackground(const Window& window) const
   for (int j = window.j0; j < window.j1; ++j)
   {
     const std::size_t row = static_cast<std::size_t>(j) * this->Target.part.width();
+    if (this->Target.triangles)
+    {
+      std::fill_n(this->Target.triangles + row + window.i0, window.width(), noTriangle);
+    }
     const Vec3 color = this->background(j);
     if (this->Target.bytes && toByte(color.x) == toByte(color.y) &&
       toByte(color.y) == toByte(color.z))

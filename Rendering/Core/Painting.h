@@ -6,7 +6,8 @@
  *
  * paintPlainly() asks the Shader pixel by pixel and is the definition. paint() fills
  * rows with the background, collects hits and leaves those on each surface to the kernel
- * of ShadingKernel.h, which gives the same bits.
+ * of ShadingKernel.h, which gives the same bits. Both also note which triangle each pixel
+ * shows, if the image wants to know.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
@@ -31,6 +32,7 @@ private:
   /// The background's colour in a row of the image's part.
   Vec3 background(int j) const;
   void store(std::size_t pixel, const Vec3& color) const;
+  void noteTriangles(const CellRays& rays) const;
   void collect(const CellRays& rays, int row, int begin, int end, ShadeBatch& batch) const;
   void shade(ShadeBatch& batch) const;
   ShadeRange rangeFrom(

@@ -35,13 +35,16 @@
 namespace lambent
 {
 /// Where the picture goes: a part of an image, row by row from the bottom, three
-/// channels a pixel, as bytes or as floats (the other one is nullptr).
+/// channels a pixel, as bytes or as floats (the other one is nullptr). And, where
+/// wanted, the number of the triangle that each pixel shows, as Mesh counts them, or
+/// noTriangle.
 struct Image
 {
   int width = 0, height = 0; ///< of the whole image
   Window part;               ///< what is made and stored of it
   unsigned char* bytes = nullptr;
   float* floats = nullptr;
+  std::uint32_t* triangles = nullptr;
 };
 
 /// How the work is cut. None of it changes a bit of the picture.

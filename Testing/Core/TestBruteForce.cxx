@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every picture is defined by brute force: each triangle against each ray. However
 // the rays are grouped, the triangles cut into chunks and the work shared among
-// threads, not one bit may differ from it.
+// threads, not one bit may differ from it, nor the triangle that a pixel shows.
 #include "RandomScenes.h"
 #include "Render.h"
 #include "Shading.h"
@@ -21,6 +21,7 @@ constexpr unsigned int sceneCount = 400;
 struct Picture
 {
   std::vector<float> floats;
+  std::vector<std::uint32_t> triangles;
   Outcome outcome = Outcome::Done;
 };
 
@@ -29,11 +30,13 @@ Picture makePicture(const RandomScene& random, const Window& part, const Setting
 {
   Picture picture;
   picture.floats.assign(3u * part.width() * part.height(), -1.0f);
+  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // nobody's
   Image image;
   image.width = random.width;
   image.height = random.height;
   image.part = part;
   image.floats = picture.floats.data();
+  image.triangles = picture.triangles.data();
   picture.outcome = render(random.scene, image, parallel, nullptr, settings).outcome;
   return picture;
 }
@@ -43,13 +46,17 @@ Window whole(const RandomScene& random)
   return { 0, random.width, 0, random.height };
 }
 
-/// How many channels differ in a bit.
+/// How many channels differ in a bit, and pixels in their triangle.
 std::size_t differences(const Picture& a, const Picture& b)
 {
   std::size_t count = a.floats.size() == b.floats.size() ? 0 : 1;
   for (std::size_t k = 0; count == 0 && k < a.floats.size(); ++k)
   {
     count += std::memcmp(&a.floats[k], &b.floats[k], sizeof(float)) != 0;
+  }
+  for (std::size_t k = 0; count == 0 && k < a.triangles.size(); ++k)
+  {
+    count += a.triangles[k] != b.triangles[k];
   }
   return count;
 }
@@ -110,6 +117,7 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
         const Vec3 expected =
           nearest == noTriangle ? background : shader.color(nearest, frame.x(i), frame.y(j));
         hits += nearest != noTriangle;
+        ASSERT_EQ(picture.triangles[j * random.width + i], nearest) << describe(seed, random);
         for (int channel = 0; channel < 3; ++channel)
         {
           ASSERT_EQ(picture.floats[3 * (j * random.width + i) + channel],
@@ -245,6 +253,12 @@ TEST(BruteForce, EqualsThePartsOfAnImage)
           3u * part.width() * sizeof(float)),
         0)
         << describe(seed, random) << ", row " << j;
+      for (int i = part.i0; i < part.i1; ++i)
+      {
+        ASSERT_EQ(picture.triangles[(j - part.j0) * part.width() + i - part.i0],
+          reference.triangles[j * random.width + i])
+          << describe(seed, random) << ", " << i << ", " << j;
+      }
     }
   }
 }

@@ -23,6 +23,7 @@ TEST(Settings, Defaults)
   EXPECT_EQ(glm::make_vec3(tracer->GetBackground2()), Vec(0.0));
   EXPECT_EQ(tracer->GetOutputScalarType(), VTK_UNSIGNED_CHAR);
   EXPECT_TRUE(tracer->GetUsePointNormals());
+  EXPECT_FALSE(tracer->GetGenerateIds());
   EXPECT_GE(vtkLambentRayTracer::GetImageContractVersion(), 1);
 }
 
