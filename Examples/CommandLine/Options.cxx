@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Options.h"
+#include "AddValue.h"
+#include "ComparisonOptions.h"
 #include "FileKinds.h"
 #include "Messages.h"
 
-#include <CLI/CLI.hpp>
-
 #include <map>
-#include <type_traits>
 
 namespace lambent::command
 {
@@ -32,37 +31,13 @@ a + b d + c d d at the distance d.
 Reads .vtp .vtk .vtu .ply .stl .obj; of volumes the outer surface. Several inputs are one scene.
 Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a whole new one.
 
-Exit status: 0 done, 1 could not (one line says why), 2 wrong usage.
+'lambent compare A.png B.png' compares two pictures that are there already; see
+'lambent compare --help'.
+
+Exit status: 0 done, and with --compare the same; 1 different, or could not (one line says why);
+2 wrong usage.
 
 Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1)";
-
-/// An option whose text one of the Parse functions turns into `target`.
-template <typename Target, typename Parse>
-CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
-  Target& target, Parse parse, const std::string& help)
-{
-  const auto take = [&target, parse, name](const std::string& text)
-  {
-    try
-    {
-      if constexpr (std::is_same_v<Target, std::vector<LightValue>>)
-      {
-        target.push_back(parse(text));
-      }
-      else
-      {
-        target = parse(text);
-      }
-    }
-    catch (const BadValue& error)
-    {
-      throw CLI::ValidationError(name, error.what());
-    }
-  };
-  return app.add_option_function<std::string>(name, take, help)
-    ->type_name(kind)
-    ->trigger_on_parse(); // so that each of several --light counts
-}
 
 void AddFiles(CLI::App& app, Options& options)
 {
@@ -70,9 +45,9 @@ void AddFiles(CLI::App& app, Options& options)
     ->required()
     ->type_name("");
   app.add_option("-o,--output", options.output, "picture to write; - is PNG to standard output")
-    ->required()
     ->type_name("FILE");
-  AddValue(app, "--size", "WxH", options.size, ParseSize, "pixels [1920x1080]");
+  AddValue(app, "--size", "WxH", options.size, ParseSize,
+    "pixels [1920x1080; with --compare as the baseline]");
   AddValue(
     app, "--background", "COLOUR", options.background, ParseColor, "where no surface is [black]");
 }
@@ -164,8 +139,16 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
   app.set_version_flag("--version", version);
 }
 
-void CheckOutput(const Options& options)
+void CheckOutput(const CLI::App& app, const Options& options)
 {
+  if (app.count("--output") == 0)
+  {
+    if (options.comparison.baseline.empty())
+    {
+      throw CLI::RequiredError("--output or --compare");
+    }
+    return;
+  }
   if (options.output != "-" && !PictureKindOf(options.output))
   {
     throw CLI::ValidationError(
@@ -177,6 +160,10 @@ void CheckOutput(const Options& options)
 
 Parsed ParseOptions(int argc, const char* const* argv, const std::string& version)
 {
+  if (argc > 1 && std::string(argv[1]) == "compare")
+  {
+    return ParseCompareOptions(argc - 1, argv + 1);
+  }
   Parsed parsed;
   CLI::App app(Description, "lambent");
   app.footer(Footer);
@@ -184,11 +171,17 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   AddCamera(app, parsed.options);
   AddLights(app, parsed.options);
   AddSurface(app, parsed.options);
+  AddComparison(app, parsed.options.comparison,
+    app
+      .add_option("--compare", parsed.options.comparison.baseline,
+        "compare what is drawn with this .png or .vti; -o may be left out")
+      ->type_name("BASELINE")
+      ->check(IsComparable));
   AddRunning(app, parsed.options, version);
   try
   {
     app.parse(argc, argv);
-    CheckOutput(parsed.options);
+    CheckOutput(app, parsed.options);
   }
   catch (const CLI::CallForHelp&)
   {

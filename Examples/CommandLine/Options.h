@@ -34,12 +34,32 @@ enum class AmbientModel
   Scene
 };
 
+enum class Metric
+{
+  MaximumDifference,
+  RootMeanSquare,
+  StructuralSimilarity
+};
+
+struct ComparisonOptions
+{
+  std::string baseline; ///< a .png or .vti; empty: nothing is compared
+  Metric metric = Metric::MaximumDifference;
+  double tolerance = 0;
+  std::string difference; ///< picture to write; empty: none
+  std::string report;     ///< HTML file to write or add to; empty: none
+  std::string name;       ///< in the report; empty: the picture's, or the baseline's
+};
+
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string output; ///< "-" is PNG to standard output
+  std::string output;  ///< "-" is PNG to standard output; empty: none, only a comparison
+  std::string picture; ///< a file to compare, instead of inputs to draw
 
-  std::array<int, 2> size{ 1920, 1080 };
+  ComparisonOptions comparison;
+
+  std::optional<std::array<int, 2>> size; ///< absent: that of the baseline, or 1920 x 1080
   Triple background{ 0, 0, 0 };
 
   std::optional<Triple> cameraPosition;

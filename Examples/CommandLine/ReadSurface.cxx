@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadSurface.h"
+#include "CheckFile.h"
 #include "CheckLegacyVtk.h"
 #include "FileKinds.h"
 #include "Messages.h"
@@ -23,8 +24,6 @@
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -32,34 +31,6 @@ namespace lambent::command
 {
 namespace
 {
-
-/// Throws what any kind of file can have wrong with it.
-void CheckFile(const std::string& path)
-{
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-  {
-    throw Failure("there is no such file; check its name");
-  }
-  if (std::filesystem::is_directory(status))
-  {
-    throw Failure("it is a folder; name a file in it");
-  }
-  if (!std::filesystem::is_regular_file(status))
-  {
-    throw Failure("it is not a regular file; save the mesh to one");
-  }
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
-  {
-    throw Failure(std::string(std::strerror(errno)) + "; check its permissions");
-  }
-  if (std::filesystem::file_size(path, error) == 0)
-  {
-    throw Failure("it is empty; get a whole copy of it");
-  }
-}
 
 /// vtkSTLReader takes any bytes for binary triangles and any number of them for all.
 void CheckStl(const std::string& path)

@@ -106,7 +106,7 @@ void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
   {
     // ResetCamera() takes 30 degrees; the bounding sphere shall stay just in view.
     const double ratio =
-      SineInView(30, options.size) / SineInView(*options.viewAngle, options.size);
+      SineInView(30, *options.size) / SineInView(*options.viewAngle, *options.size);
     toEye = ratio * toEye;
   }
   const Triple focus = options.focalPoint.value_or(center);
@@ -209,7 +209,7 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
   {
     tracer->AddInputDataObject(0, mesh);
   }
-  tracer->SetImageSize(options.size[0], options.size[1]);
+  tracer->SetImageSize((*options.size)[0], (*options.size)[1]);
   Triple background = options.background;
   tracer->SetBackground(background.data());
   tracer->SetAmbientModel(options.ambientModel == AmbientModel::Scene

@@ -62,13 +62,6 @@ vtkSmartPointer<vtkUnsignedCharArray> Encode(
   return writer->GetResult();
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* image, VtkMessages& messages)
-{
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetCompressionLevel(3); // of rendered surfaces about as small as 6, in less time
-  return Encode(writer.Get(), image, messages);
-}
-
 void WriteBytes(TemporaryFile& file, vtkUnsignedCharArray* bytes)
 {
   file.Write(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
@@ -194,6 +187,13 @@ std::string WhereTo(const std::string& path)
 }
 
 } // namespace
+
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* image, VtkMessages& messages)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetCompressionLevel(3); // of rendered surfaces about as small as 6, in less time
+  return Encode(writer.Get(), image, messages);
+}
 
 void CheckPicturePlace(const std::string& path)
 {

@@ -8,9 +8,12 @@
 #ifndef WritePicture_h
 #define WritePicture_h
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 
 class vtkImageData;
+class vtkUnsignedCharArray;
 
 namespace lambent::command
 {
@@ -25,6 +28,9 @@ void CheckPicturePlace(const std::string& path);
  * output. The file is there whole or, if Failure is thrown, as it was before.
  */
 void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages);
+
+/// The image as the bytes of a PNG file. Throws Failure.
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* image, VtkMessages& messages);
 
 } // namespace lambent::command
 

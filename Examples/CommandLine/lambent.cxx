@@ -5,9 +5,11 @@
  * @brief the command `lambent`: from meshes on disk to the picture of them
  */
 
+#include "Compare.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ReadPicture.h"
 #include "ReadSurface.h"
 #include "Scene.h"
 #include "Stopwatch.h"
@@ -17,6 +19,7 @@
 #include "vtkLambentRayTracer.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -87,11 +90,27 @@ void AddNormals(const Options& options, Meshes& meshes, VtkMessages& messages, P
   }
 }
 
-vtkSmartPointer<vtkImageData> Render(
+/// A picture, and if it is to be compared, what its pixels show.
+struct Drawing
+{
+  vtkSmartPointer<vtkImageData> picture;
+  PixelIds ids;
+};
+
+vtkSmartPointer<vtkIdTypeArray> TakeIds(vtkImageData* picture, const char* name)
+{
+  const vtkSmartPointer<vtkIdTypeArray> ids =
+    vtkIdTypeArray::SafeDownCast(picture->GetPointData()->GetArray(name));
+  picture->GetPointData()->RemoveArray(name);
+  return ids;
+}
+
+Drawing Render(
   const Options& options, const Meshes& meshes, VtkMessages& messages, Progress& progress)
 {
   progress.Begin("rendering");
   const auto tracer = MakeScene(options, meshes);
+  tracer->SetGenerateIds(!options.comparison.baseline.empty());
   progress.Follow(tracer);
   tracer->Update();
   const std::string error = messages.TakeError();
@@ -101,7 +120,24 @@ vtkSmartPointer<vtkImageData> Render(
   }
   progress.Erase();
   messages.FlushWarnings("");
-  return tracer->GetOutput();
+  vtkImageData* const picture = tracer->GetOutput();
+  return { picture, { TakeIds(picture, "CellIds"), TakeIds(picture, "InputIds") } };
+}
+
+/// As large as the options say, or else as the baseline is.
+std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
+{
+  if (options.size)
+  {
+    return *options.size;
+  }
+  const std::string& baseline = options.comparison.baseline;
+  if (!baseline.empty() && std::filesystem::exists(baseline))
+  {
+    const int* const size = ReadPicture(baseline, messages)->GetDimensions();
+    return { size[0], size[1] };
+  }
+  return { 1920, 1080 };
 }
 
 void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopwatch)
@@ -111,11 +147,11 @@ void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopw
   {
     triangles += CountTriangles(mesh);
   }
-  const std::string picture = options.output == "-"
-    ? "standard output"
-    : std::filesystem::absolute(options.output).lexically_normal().string();
+  const std::string picture = options.output.empty() ? "not written"
+    : options.output == "-"                          ? "standard output"
+                            : std::filesystem::absolute(options.output).lexically_normal().string();
   std::fprintf(stderr, "picture    %s\n", picture.c_str());
-  std::fprintf(stderr, "size       %d x %d\n", options.size[0], options.size[1]);
+  std::fprintf(stderr, "size       %d x %d\n", (*options.size)[0], (*options.size)[1]);
   std::fprintf(stderr, "triangles  %lld\n", static_cast<long long>(triangles));
   for (const auto& [stage, milliseconds] : stopwatch.GetLaps())
   {
@@ -123,34 +159,60 @@ void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopw
   }
 }
 
-void Run(const Options& options)
+void UseThreads(int count)
 {
-  VtkMessages messages(!options.quiet);
-  Progress progress(!options.quiet);
-  if (options.threads > 0)
+  if (count > 0)
   {
     // More threads than the machine runs at once bring nothing but a complaint of TBB's.
     const int most = static_cast<int>(std::thread::hardware_concurrency());
-    vtkSMPTools::Initialize(most > 0 ? std::min(options.threads, most) : options.threads);
+    vtkSMPTools::Initialize(most > 0 ? std::min(count, most) : count);
   }
-  CheckPicturePlace(options.output);
+}
+
+/// Draws, writes and compares, as far as each is asked for. False: the comparison has failed.
+bool Draw(Options options, VtkMessages& messages)
+{
+  Progress progress(!options.quiet);
+  UseThreads(options.threads);
+  if (!options.output.empty())
+  {
+    CheckPicturePlace(options.output);
+  }
+  options.size = SizeOf(options, messages);
 
   Stopwatch stopwatch;
   Meshes meshes = ReadMeshes(options, messages, progress);
   stopwatch.Lap("reading");
   AddNormals(options, meshes, messages, progress);
   stopwatch.Lap("normals");
-  const auto image = Render(options, meshes, messages, progress);
+  const Drawing drawing = Render(options, meshes, messages, progress);
   stopwatch.Lap("rendering");
-  progress.Begin("writing " + options.output);
-  WritePicture(image, options.output, messages);
-  stopwatch.Lap("writing");
-
+  if (!options.output.empty())
+  {
+    progress.Begin("writing " + options.output);
+    WritePicture(drawing.picture, options.output, messages);
+    stopwatch.Lap("writing");
+  }
   progress.Erase();
+  bool passed = true;
+  if (!options.comparison.baseline.empty())
+  {
+    passed = Compare(drawing.picture, drawing.ids, options, messages);
+    stopwatch.Lap("comparing");
+  }
   if (options.verbose)
   {
     Report(options, meshes, stopwatch);
   }
+  return passed;
+}
+
+bool Run(const Options& options)
+{
+  VtkMessages messages(!options.quiet);
+  return options.picture.empty()
+    ? Draw(options, messages)
+    : Compare(ReadPicture(options.picture, messages), PixelIds(), options, messages);
 }
 
 std::string Version()
@@ -173,8 +235,7 @@ int main(int argc, char* argv[])
   }
   try
   {
-    Run(parsed.options);
-    return 0;
+    return Run(parsed.options) ? 0 : 1;
   }
   catch (const std::exception& error) // a Failure says all; anything else is memory, mostly
   {

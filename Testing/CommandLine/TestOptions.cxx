@@ -25,8 +25,7 @@ TEST(Options, Defaults)
   const Options& options = parsed.options;
   EXPECT_EQ(options.inputs, (std::vector<std::string>{ "a.ply", "b.vtp" }));
   EXPECT_EQ(options.output, "x.png");
-  EXPECT_EQ(options.size, (std::array<int, 2>{ 1920, 1080 }));
-  EXPECT_FALSE(options.cameraPosition || options.focalPoint || options.viewUp ||
+  EXPECT_FALSE(options.size || options.cameraPosition || options.focalPoint || options.viewUp ||
     options.direction || options.viewAngle || options.parallelScale || options.ambientColor);
   EXPECT_EQ(options.zoom, 1);
   EXPECT_TRUE(options.lights.empty());

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief options of CLI11 whose text the functions of Values.h read
+ */
+
+#ifndef AddValue_h
+#define AddValue_h
+
+#include "Values.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace lambent::command
+{
+
+/// An option whose text one of the Parse functions turns into `target`.
+template <typename Target, typename Parse>
+CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
+  Target& target, Parse parse, const std::string& help)
+{
+  const auto take = [&target, parse, name](const std::string& text)
+  {
+    try
+    {
+      if constexpr (std::is_same_v<Target, std::vector<LightValue>>)
+      {
+        target.push_back(parse(text));
+      }
+      else
+      {
+        target = parse(text);
+      }
+    }
+    catch (const BadValue& error)
+    {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  return app.add_option_function<std::string>(name, take, help)
+    ->type_name(kind)
+    ->trigger_on_parse(); // so that each of several --light counts
+}
+
+} // namespace lambent::command
+
+#endif

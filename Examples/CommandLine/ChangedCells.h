@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief which cells of which inputs the changed pixels of a picture show
+ */
+
+#ifndef ChangedCells_h
+#define ChangedCells_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+#include <vector>
+
+class vtkIdTypeArray;
+class vtkImageData;
+
+namespace lambent::command
+{
+
+/// What each pixel of a picture that we drew shows.
+struct PixelIds
+{
+  vtkSmartPointer<vtkIdTypeArray> cells, inputs;
+};
+
+struct ChangedCell
+{
+  vtkIdType input, cell; ///< both -1: the background
+  vtkIdType pixels;
+  int x, y; ///< the first of them
+};
+
+/// Sorted by input and cell. `difference` is the output of vtkLambentImageComparison.
+std::vector<ChangedCell> FindChangedCells(vtkImageData* difference, const PixelIds& ids);
+
+/// In words: "cells 3, 7-12 of 'a.vtp' and the background".
+std::string Describe(
+  const std::vector<ChangedCell>& cells, const std::vector<std::string>& inputNames);
+
+} // namespace lambent::command
+
+#endif

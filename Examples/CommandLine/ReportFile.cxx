@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ReportFile.h"
+#include "Messages.h"
+
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace lambent::command
+{
+namespace
+{
+
+const char* const Head = R"(<!DOCTYPE html>
+<!-- report of lambent -->
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>Pictures and their baselines</title>
+<style>
+:root { color-scheme: light dark; font: 16px/1.5 system-ui, sans-serif; }
+body { margin: 2rem auto; max-width: 84rem; padding: 0 1rem; display: flex; flex-direction: column; }
+h2 { font-size: 1.1rem; margin: 0; overflow-wrap: anywhere; }
+section { border-left: 5px solid; padding: .3rem 1rem; margin: .4rem 0; }
+section.failed { border-color: #c62828; }
+section.passed { border-color: #2e7d32; order: 1; }
+.pictures { display: flex; flex-wrap: wrap; gap: 1.5rem; margin: 1rem 0; }
+figure { margin: 0; max-width: 100%; }
+figcaption { display: flex; justify-content: space-between; font-size: .85rem; }
+img { display: block; width: 100%; image-rendering: pixelated; }
+.slide { position: relative; }
+.slide img + img { position: absolute; top: 0; left: 0; clip-path: inset(0 0 0 50%); }
+.slide + input { width: 100%; margin: .3rem 0; }
+table { border-collapse: collapse; font-size: .9rem; }
+th, td { text-align: right; padding: .1rem .8rem; border-bottom: 1px solid #8886; }
+th:first-child, td:first-child { text-align: left; }
+</style>
+</head>
+<body>
+<h1>Pictures and their baselines</h1>
+)";
+
+constexpr std::size_t HeadStart = 15 + 1 + 26; ///< what tells such a page: its first two lines
+
+/// Whatever the name, one line that no other name has and that HTML takes for a comment.
+std::string Marker(const char* kind, const std::string& name)
+{
+  std::string text = std::string("<!-- ") + kind + " ";
+  for (const char c : name)
+  {
+    if (std::isalnum(static_cast<unsigned char>(c)) || std::strchr("._/ ", c))
+    {
+      text += c;
+    }
+    else
+    {
+      char code[4];
+      std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned char>(c));
+      text += code;
+    }
+  }
+  return text + " -->\n";
+}
+
+/// The page with the section in it. Of a page that was cut short the rest is kept as it is.
+std::string WithSection(std::string page, const std::string& name, const std::string& section)
+{
+  const std::string begin = Marker("begin", name), end = Marker("end", name);
+  const std::string whole = begin + section + "\n" + end;
+  const std::size_t from = page.find(begin);
+  const std::size_t to = from == std::string::npos ? from : page.find(end, from);
+  return to == std::string::npos ? page + whole : page.replace(from, to + end.size() - from, whole);
+}
+
+/// A file that this process alone works on while the object lives.
+class LockedFile
+{
+public:
+  explicit LockedFile(const std::string& path)
+    : Descriptor(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+  {
+    if (this->Descriptor < 0)
+    {
+      throw Failure(std::strerror(errno));
+    }
+    while (flock(this->Descriptor, LOCK_EX) != 0)
+    {
+      if (errno != EINTR)
+      {
+        const int reason = errno;
+        close(this->Descriptor);
+        throw Failure(std::strerror(reason));
+      }
+    }
+  }
+  ~LockedFile() { close(this->Descriptor); }
+  LockedFile(const LockedFile&) = delete;
+  LockedFile& operator=(const LockedFile&) = delete;
+
+  std::string Read() const
+  {
+    std::string text;
+    char buffer[65536];
+    ssize_t count;
+    while ((count = read(this->Descriptor, buffer, sizeof buffer)) > 0)
+    {
+      text.append(buffer, static_cast<std::size_t>(count));
+    }
+    return count == 0 ? text : throw Failure(std::strerror(errno));
+  }
+
+  void Replace(const std::string& text) const
+  {
+    off_t at = 0;
+    while (at < static_cast<off_t>(text.size()))
+    {
+      const ssize_t count = pwrite(this->Descriptor, text.data() + at, text.size() - at, at);
+      if (count < 0)
+      {
+        throw Failure(std::strerror(errno));
+      }
+      at += count;
+    }
+    if (ftruncate(this->Descriptor, at) != 0)
+    {
+      throw Failure(std::strerror(errno));
+    }
+  }
+
+private:
+  int Descriptor;
+};
+
+} // namespace
+
+std::string EscapeHtml(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+void AddToReport(const std::string& path, const std::string& name, const std::string& section)
+{
+  try
+  {
+    const LockedFile file(path);
+    std::string page = file.Read();
+    if (page.empty())
+    {
+      page = Head;
+    }
+    if (page.compare(0, HeadStart, Head, HeadStart) != 0)
+    {
+      throw Failure("it is there, and is no report of lambent; choose another name");
+    }
+    file.Replace(WithSection(page, name, section));
+  }
+  catch (const Failure& reason)
+  {
+    throw Failure("cannot write the report '" + path + "': " + reason.what());
+  }
+}
+
+} // namespace lambent::command

@@ -1,0 +1,269 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Comparing pictures: what is said of them, the exit status, the files that are written."""
+
+import os
+import re
+import struct
+import subprocess
+import unittest
+import zlib
+
+from commandline import COMMAND, CommandTest, SQUARE, TETRAHEDRON, obj
+
+
+def png(rows):
+    """A PNG file of rows of (r, g, b), the top row first."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    body = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">2I5B", len(rows[0]), len(rows), 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(body)) + chunk(b"IEND", b""))
+
+
+def grey(width, height, changes=()):
+    """All channels 100, but for {(x, y): (r, g, b)}, y from the bottom."""
+    changes = dict(changes)
+    return png([[changes.get((x, y), (100, 100, 100)) for x in range(width)]
+                for y in reversed(range(height))])
+
+
+class CompareTest(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.environment = {key: value for key, value in os.environ.items()
+                            if key not in ("LAMBENT_UPDATE_BASELINES", "DASHBOARD_TEST_FROM_CTEST")}
+        self.write("base.png", grey(7, 5))
+        self.write("same.png", grey(7, 5))
+        self.write("other.png", grey(7, 5, {(5, 1): (103, 100, 96), (2, 3): (100, 90, 100)}))
+
+    def compare(self, status, *arguments, **environment):
+        """Exit status as expected; standard output by lines."""
+        done = self.run_command(*arguments, env={**self.environment, **environment})
+        self.assertEqual((done.returncode, done.stderr), (status, b""), done.stdout)
+        return done.stdout.decode().splitlines()
+
+    def fail_with(self, status, *arguments):
+        return super().fail_with(status, *arguments, env=self.environment)
+
+
+class TestPictures(CompareTest):
+
+    def test_same(self):
+        self.assertEqual(self.compare(0, "compare", "same.png", "base.png"),
+                         ["all of 35 pixels are the same"])
+        self.assertEqual(self.compare(0, "compare", "same.png", "base.png", "--quiet"), [])
+
+    def test_different(self):
+        line = "2 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)"
+        self.assertEqual(self.compare(1, "compare", "other.png", "base.png"), [line])
+        self.assertEqual(self.compare(1, "compare", "base.png", "other.png"), [line])
+
+    def test_tolerance(self):
+        for tolerance, status in (("10", 0), ("9.9", 1), ("255", 0)):
+            lines = self.compare(status, "compare", "other.png", "base.png", "--tolerance", tolerance)
+            self.assertIn("the tolerance of " + tolerance, lines[0])
+        rmse = ("compare", "other.png", "base.png", "--metric", "rmse", "--tolerance")
+        self.compare(0, *rmse, "1.092")  # the root of (9 + 16 + 100) / 105 is 1.0911
+        self.compare(1, *rmse, "1.091")
+
+    def test_another_size(self):
+        self.write("base.png", grey(5, 7))
+        lines = self.compare(1, "compare", "same.png", "base.png", "--tolerance", "255",
+                             "--difference", "d.png", "--report", "r.html")
+        self.assertIn("7 x 5", lines[0])
+        self.assertIn("5 x 7", lines[0])
+        self.assertNotIn("d.png", self.files())
+        self.assertEqual(self.read("r.html").count(b"<img "), 2)
+
+    def test_structural_similarity_or_a_clear_error(self):
+        done = self.run_command("compare", "other.png", "base.png", "--metric", "ssim",
+                                "--tolerance", "0.5", env=self.environment)
+        if done.returncode == 0:
+            self.assertIn(b"structural similarity is", done.stdout)
+        else:
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(b"needs vtkImageSSIM", done.stderr)
+
+    def test_missing_baseline(self):
+        lines = self.compare(1, "compare", "same.png", "new.png")
+        self.assertIn("there is no baseline 'new.png'", lines[0])
+        self.assertIn("look at 'same.png'", lines[1])
+        self.assertIn("LAMBENT_UPDATE_BASELINES=1", lines[1])
+
+    def test_updating(self):
+        environment = {"LAMBENT_UPDATE_BASELINES": "1"}
+        for baseline in ("base.png", "new.png", "a/new/folder/new.png"):
+            lines = self.compare(0, "compare", "other.png", baseline, **environment)
+            self.assertEqual(lines, ["accepted as the baseline '%s'" % baseline])
+            self.assertEqual(self.read(baseline), self.read("other.png"))
+        self.assertEqual(self.compare(0, "compare", "other.png", "base.png", **environment),
+                         ["all of 35 pixels are the same"])
+        self.compare(1, "compare", "same.png", "base.png", LAMBENT_UPDATE_BASELINES="0")
+
+    def test_difference(self):
+        self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png")
+        self.compare(0, "compare", "d.png", "expected.png", LAMBENT_UPDATE_BASELINES="1")
+        self.write("expected.png", png([[{(5, 1): (115, 0, 135), (2, 3): (0, 255, 0)}.get(
+            (x, y), (0, 0, 0)) for x in range(7)] for y in (4, 3, 2, 1, 0)]))
+        self.compare(0, "compare", "d.png", "expected.png")
+
+    def test_broken_files(self):
+        whole = grey(7, 5)
+        damaged = whole[:45] + bytes([whole[45] ^ 1]) + whole[46:]  # within the pixels
+        for content, words in ((whole[:-1], "cut short"), (whole[:50], "cut short"),
+                               (whole[:8], "cut short"), (damaged, "check sum"), (b"", "empty"),
+                               (b"not a picture", "not a PNG")):
+            self.write("broken.png", content)
+            for names in (("broken.png", "base.png"), ("base.png", "broken.png")):
+                line = self.fail_with(1, "compare", *names)
+                self.assertIn("'broken.png'", line)
+                self.assertIn(words, line)
+        os.mkdir(self.path("folder.png"))
+        self.assertIn("folder", self.fail_with(1, "compare", "folder.png", "base.png"))
+        self.assertIn("no such file", self.fail_with(1, "compare", "none.png", "base.png"))
+
+    def test_wrong_usage(self):
+        for arguments in ((), ("same.png",), ("same.png", "base.png", "third.png"),
+                          ("same.jpg", "base.png"), ("same.png", "base.gif"),
+                          ("same.png", "base.png", "--tolerance", "-1"),
+                          ("same.png", "base.png", "--tolerance", "nan"),
+                          ("same.png", "base.png", "--metric", "psnr"),
+                          ("same.png", "base.png", "--difference", "d.gif"),
+                          ("same.png", "base.png", "--report", "r.txt"),
+                          ("same.png", "base.png", "--size", "5x5")):
+            done = self.run_command("compare", *arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertEqual(done.stderr.decode().splitlines()[1:],
+                             ["Try 'lambent compare --help'."])
+        self.assertIn("--tolerance", self.succeed("compare", "--help").decode())
+
+    def test_measurements_for_cdash(self):
+        lines = self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png",
+                             DASHBOARD_TEST_FROM_CTEST="3.25")
+        tags = [re.fullmatch(r'<DartMeasurementFile name="(\w+)" type="image/png">(.*)'
+                             r"</DartMeasurementFile>", line) for line in lines]
+        self.assertEqual([(tag[1], tag[2]) for tag in tags if tag],
+                         [("TestImage", self.path("other.png")),
+                          ("ValidImage", self.path("base.png")),
+                          ("DifferenceImage", self.path("d.png"))])
+        self.assertEqual(len(self.compare(0, "compare", "same.png", "base.png",
+                                          DASHBOARD_TEST_FROM_CTEST="3.25")), 1)
+
+
+class TestReport(CompareTest):
+
+    def sections(self):
+        return re.findall(r'<section class="(\w+)">\n<h2>(.*?)</h2>\n<div>(.*?)</div>',
+                          self.read("r.html").decode())
+
+    def test_failures_have_pictures(self):
+        self.compare(1, "compare", "other.png", "base.png", "--report", "r.html")
+        page = self.read("r.html").decode()
+        self.assertEqual(page.count("src=\"data:image/png;base64,"), 3)
+        self.assertNotIn("http", page)
+        self.assertEqual(self.sections(), [
+            ("failed", "other.png",
+             "2 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)")])
+
+    def test_a_name_has_one_section(self):
+        self.compare(1, "compare", "other.png", "base.png", "--report", "r.html", "--name", "a & b")
+        self.compare(1, "compare", "other.png", "base.png", "--report", "r.html", "--name", "a")
+        self.compare(0, "compare", "same.png", "base.png", "--report", "r.html", "--name", "a & b")
+        self.assertEqual([(state, name) for state, name, _ in self.sections()],
+                         [("passed", "a &amp; b"), ("failed", "a")])
+
+    def test_processes_share_a_page(self):
+        count = 24
+        processes = [subprocess.Popen(
+            [COMMAND, "compare", "other.png", "base.png", "--report", "r.html", "--name", str(k)],
+            cwd=self.folder, stdout=subprocess.DEVNULL, env=self.environment) for k in range(count)]
+        self.assertEqual([process.wait() for process in processes], count * [1])
+        self.assertEqual(sorted(int(name) for _, name, _ in self.sections()), list(range(count)))
+
+    def test_other_files_are_left_alone(self):
+        self.write("r.html", "<html>my own page</html>")
+        line = self.fail_with(1, "compare", "same.png", "base.png", "--report", "r.html")
+        self.assertIn("r.html", line)
+        self.assertEqual(self.read("r.html"), b"<html>my own page</html>")
+
+
+class TestDrawing(CompareTest):
+    """Draws and compares in one go. The square fills the view, two triangles, cut from lower left to
+    upper right."""
+
+    SQUARE_VIEW = ("square.obj", "--parallel-scale", "1")
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+        self.write("tetrahedron.obj", obj(TETRAHEDRON))
+
+    def test_size_is_that_of_the_baseline(self):
+        self.compare(0, *self.SQUARE_VIEW, "--compare", "b.png", "--size", "13x9",
+                     LAMBENT_UPDATE_BASELINES="1")
+        self.assertEqual(self.compare(0, *self.SQUARE_VIEW, "--compare", "b.png"),
+                         ["all of 117 pixels are the same"])
+        self.assertIn("10 x 10", self.compare(1, *self.SQUARE_VIEW, "--compare", "b.png",
+                                              "--size", "10x10")[0])
+
+    def test_cells_of_changed_pixels(self):
+        # Of the 8 x 8 pixels the lower right half shows cell 0.
+        self.succeed(*self.SQUARE_VIEW, "-o", "b.png", "--size", "8x8")
+        self.assertEqual(
+            self.compare(1, *self.SQUARE_VIEW, "--color", "red", "--compare", "b.png"),
+            ["64 of 64 pixels differ, by at most 255 of 255; the first is (0, 0)",
+             "the changed pixels show cells 0-1 of 'square.obj'"])
+        rows = [[(255, 255, 255)] * 8 for _ in range(8)]
+        rows[7][6] = rows[4][7] = (255, 255, 254)  # (6, 0) and (7, 3) from the bottom
+        self.write("b.png", png(rows))
+        self.assertEqual(self.compare(1, *self.SQUARE_VIEW, "--compare", "b.png", "--report",
+                                      "r.html")[1],
+                         "the changed pixels show cell 0 of 'square.obj'")
+        self.assertIn("<tr><td>square.obj</td><td>0</td><td>2</td><td>(6, 0)</td></tr>",
+                      self.read("r.html").decode())
+        rows[0][0] = (0, 0, 0)
+        self.write("b.png", png(rows))
+        lines = self.compare(1, "square.obj", "tetrahedron.obj", "--parallel-scale", "1",
+                             "--focal-point", "0,0,0", "--compare", "b.png")
+        self.assertEqual(  # of the tetrahedron all but the base
+            lines[1], "the changed pixels show cells 0-1 of 'square.obj' and cells 1-3 of "
+            "'tetrahedron.obj'")
+
+    def test_background_is_named(self):
+        self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2")
+        lines = self.compare(1, "square.obj", "--parallel-scale", "2", "--background", "blue",
+                             "--compare", "b.png")
+        self.assertEqual(lines[1], "the changed pixels show the background")
+
+    def test_output_is_written_too(self):
+        lines = self.compare(1, *self.SQUARE_VIEW, "--compare", "new.png", "-o", "x.png",
+                             "--size", "4x4")
+        self.assertEqual(lines[0], "there is no baseline 'new.png'")
+        self.assertIn("look at 'x.png'", lines[1])
+        self.compare(0, *self.SQUARE_VIEW, "--compare", "x.png")
+
+    def test_ids_stay_out_of_the_output(self):
+        self.succeed(*self.SQUARE_VIEW, "-o", "a.vti", "--size", "4x4")
+        self.compare(0, *self.SQUARE_VIEW, "--compare", "a.vti", "-o", "b.vti")
+        self.assertEqual(self.read("a.vti"), self.read("b.vti"))
+        self.compare(0, "compare", "a.vti", "b.vti")
+
+    def test_standard_output_stays_a_picture(self):
+        self.succeed(*self.SQUARE_VIEW, "-o", "b.png", "--size", "4x4")
+        done = self.run_command(*self.SQUARE_VIEW, "-o", "-", "--compare", "b.png",
+                                env=self.environment)
+        self.assertEqual((done.returncode, done.stdout), (0, self.read("b.png")))
+        self.assertEqual(done.stderr, b"all of 16 pixels are the same\n")
+
+    def test_wrong_usage(self):
+        for option, value in (("--tolerance", "1"), ("--metric", "max"), ("--difference", "d.png"),
+                              ("--report", "r.html"), ("--name", "x")):
+            self.assertIn("--compare", self.fail_with(2, "square.obj", "-o", "x.png", option, value))
+        self.assertIn("--compare", self.fail_with(2, "square.obj", "--compare", "b.gif"))
+
+
+if __name__ == "__main__":
+    unittest.main()
