@@ -20,7 +20,7 @@ namespace lambent::command
 namespace
 {
 
-constexpr std::size_t MostRows = 50;
+constexpr std::size_t MostRows = 15;
 
 /// A picture of bytes; floats from 0 to 1 become 0 to 255, other types what fits.
 vtkSmartPointer<vtkImageData> InBytes(vtkImageData* image)

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Pictures as tests of CTest. find_package(Lambent) defines
+#
+#   lambent_add_image_test(NAME <name> INPUT <mesh>... BASELINE <file>
+#     [ARGS <option of lambent>...] [METRIC max|rmse|ssim] [TOLERANCE <t>])
+#
+# The test <name> draws the meshes with the command lambent and these options, and passes if the
+# picture is the baseline: exactly, or as METRIC and TOLERANCE say. Names are relative to the source
+# folder, which the test runs in. The picture is as large as the baseline, or as --size says.
+#
+#   lambent_add_image_test(NAME <name> PICTURE <file> BASELINE <file>
+#     [COMMAND <command> <argument>...] [WORKING_DIRECTORY <folder>] [METRIC ...] [TOLERANCE ...])
+#
+# The test <name> passes if the picture, a .png or .vti, is the baseline. COMMAND draws it, in a test
+# <name>.Draw that runs before, in WORKING_DIRECTORY or else the binary folder, to which <file> is
+# relative. Without COMMAND something else has to draw it first.
+#
+# A test without a baseline fails and names what it has drawn. To accept what is drawn, build the target
+# lambent-update-baselines, or run ctest with LAMBENT_UPDATE_BASELINES=1 in the environment; -R <name>
+# chooses, and all of these tests have the label lambent-image. Where tests have failed, the page
+# LAMBENT_IMAGE_REPORT (lambent-report.html in the top binary folder, if it is not set) shows picture,
+# baseline and their difference. CDash is told of them, too.
+
+include_guard(GLOBAL)
+
+# Where a path of the caller's is, relative to a folder. Generator expressions stay as they are.
+function (_lambent_absolute result path folder)
+  if (NOT path MATCHES "^\\$<" AND NOT IS_ABSOLUTE "${path}")
+    set(path "${folder}/${path}")
+  endif ()
+  set("${result}" "${path}" PARENT_SCOPE)
+endfunction ()
+
+function (_lambent_check_image_test)
+  foreach (required IN ITEMS NAME BASELINE)
+    if (NOT arg_${required})
+      message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) needs ${required}.")
+    endif ()
+  endforeach ()
+  if (arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) does not know ${arg_UNPARSED_ARGUMENTS}.")
+  endif ()
+  if (arg_INPUT AND (arg_PICTURE OR arg_COMMAND OR arg_WORKING_DIRECTORY))
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): INPUT is drawn by lambent itself; leave "
+      "out PICTURE, COMMAND and WORKING_DIRECTORY, or INPUT.")
+  endif ()
+  if (NOT arg_INPUT AND (NOT arg_PICTURE OR arg_ARGS))
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) needs INPUT, which ARGS are about, or "
+      "PICTURE.")
+  endif ()
+  if (NOT TARGET Lambent::Command)
+    message(FATAL_ERROR "lambent_add_image_test() needs the command lambent, which this Lambent was "
+      "built without; it takes CLI11 and LAMBENT_BUILD_EXAMPLES.")
+  endif ()
+endfunction ()
+
+function (_lambent_add_update_target)
+  if (NOT TARGET lambent-update-baselines)
+    add_custom_target(lambent-update-baselines
+      COMMAND "${CMAKE_COMMAND}" -E env LAMBENT_UPDATE_BASELINES=1
+        "${CMAKE_CTEST_COMMAND}" --test-dir "${CMAKE_BINARY_DIR}" -C "$<CONFIG>"
+          -L "^lambent-image$" --output-on-failure
+      COMMENT "Accepting what the image tests draw as their baselines"
+      USES_TERMINAL VERBATIM)
+  endif ()
+endfunction ()
+
+function (lambent_add_image_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;BASELINE;METRIC;TOLERANCE;PICTURE;WORKING_DIRECTORY"
+    "INPUT;ARGS;COMMAND")
+  _lambent_check_image_test()
+  _lambent_add_update_target()
+
+  set(report "${CMAKE_BINARY_DIR}/lambent-report.html")
+  if (LAMBENT_IMAGE_REPORT)
+    _lambent_absolute(report "${LAMBENT_IMAGE_REPORT}" "${CMAKE_BINARY_DIR}")
+  endif ()
+  string(MAKE_C_IDENTIFIER "${arg_NAME}" file)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/lambent-images")
+  file(MAKE_DIRECTORY "${folder}")
+  set(how --report "${report}" --name "${arg_NAME}" --difference "${folder}/${file}.difference.png")
+  if (DEFINED arg_METRIC)
+    list(APPEND how --metric "${arg_METRIC}")
+  endif ()
+  if (DEFINED arg_TOLERANCE)
+    list(APPEND how --tolerance "${arg_TOLERANCE}")
+  endif ()
+
+  if (arg_INPUT)
+    add_test(NAME "${arg_NAME}"
+      COMMAND Lambent::Command ${arg_INPUT} ${arg_ARGS} -o "${folder}/${file}.png"
+        --compare "${arg_BASELINE}" ${how}
+      WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+  else ()
+    if (NOT arg_WORKING_DIRECTORY)
+      set(arg_WORKING_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
+    endif ()
+    _lambent_absolute(picture "${arg_PICTURE}" "${arg_WORKING_DIRECTORY}")
+    add_test(NAME "${arg_NAME}"
+      COMMAND Lambent::Command compare "${picture}" "${arg_BASELINE}" ${how}
+      WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")
+  endif ()
+  set_tests_properties("${arg_NAME}" PROPERTIES LABELS lambent-image)
+
+  if (arg_COMMAND)
+    add_test(NAME "${arg_NAME}.Draw" COMMAND ${arg_COMMAND}
+      WORKING_DIRECTORY "${arg_WORKING_DIRECTORY}")
+    set_tests_properties("${arg_NAME}.Draw" PROPERTIES
+      LABELS lambent-image FIXTURES_SETUP "${arg_NAME}.Draw")
+    set_tests_properties("${arg_NAME}" PROPERTIES FIXTURES_REQUIRED "${arg_NAME}.Draw")
+  endif ()
+endfunction ()
