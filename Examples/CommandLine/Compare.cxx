@@ -33,10 +33,10 @@ bool IsSet(const char* variable)
   return value && std::string(value) == "1";
 }
 
-/// CTest sets the variable to its version.
+/// CTest always sets the one, and the other when it is to report to CDash, but not in each version.
 bool IsUnderCTest()
 {
-  return std::getenv("DASHBOARD_TEST_FROM_CTEST") != nullptr;
+  return std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") || std::getenv("DASHBOARD_TEST_FROM_CTEST");
 }
 
 bool Exists(const std::string& path)
@@ -127,7 +127,8 @@ std::string HowToAccept(const Options& options)
   return (picture.empty() || picture == "-"
              ? "if it is meant, accept it"
              : "look at '" + picture + "'; if it is right, accept it") +
-    " by running this again with LAMBENT_UPDATE_BASELINES=1 in the environment";
+    " by running this again with LAMBENT_UPDATE_BASELINES=1 in the environment" +
+    (IsUnderCTest() ? ", or by building the target lambent-update-baselines" : "");
 }
 
 void Tell(const Options& options, const Verdict& verdict)

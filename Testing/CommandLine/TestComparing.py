@@ -34,7 +34,8 @@ class CompareTest(CommandTest):
     def setUp(self):
         super().setUp()
         self.environment = {key: value for key, value in os.environ.items()
-                            if key not in ("LAMBENT_UPDATE_BASELINES", "DASHBOARD_TEST_FROM_CTEST")}
+                            if key not in ("LAMBENT_UPDATE_BASELINES", "DASHBOARD_TEST_FROM_CTEST",
+                                           "CTEST_INTERACTIVE_DEBUG_MODE")}
         self.write("base.png", grey(7, 5))
         self.write("same.png", grey(7, 5))
         self.write("other.png", grey(7, 5, {(5, 1): (103, 100, 96), (2, 3): (100, 90, 100)}))
@@ -142,7 +143,7 @@ class TestPictures(CompareTest):
 
     def test_measurements_for_cdash(self):
         lines = self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png",
-                             DASHBOARD_TEST_FROM_CTEST="3.25")
+                             CTEST_INTERACTIVE_DEBUG_MODE="1")
         tags = [re.fullmatch(r'<DartMeasurementFile name="(\w+)" type="image/png">(.*)'
                              r"</DartMeasurementFile>", line) for line in lines]
         self.assertEqual([(tag[1], tag[2]) for tag in tags if tag],
@@ -150,7 +151,7 @@ class TestPictures(CompareTest):
                           ("ValidImage", self.path("base.png")),
                           ("DifferenceImage", self.path("d.png"))])
         self.assertEqual(len(self.compare(0, "compare", "same.png", "base.png",
-                                          DASHBOARD_TEST_FROM_CTEST="3.25")), 1)
+                                          CTEST_INTERACTIVE_DEBUG_MODE="1")), 1)
 
 
 class TestReport(CompareTest):

@@ -74,7 +74,8 @@ class Readme(unittest.TestCase):
             self.assertIn("](Testing/Baselines/%s)" % name, self.text)
 
     def test_settings_are_those_of_the_classes(self):
-        for header in ("Rendering/vtkLambentRayTracer.h", "Filters/vtkLambentNormals.h"):
+        for header in ("Rendering/vtkLambentRayTracer.h", "Filters/vtkLambentNormals.h",
+                       "Rendering/Comparison/vtkLambentImageComparison.h"):
             name = os.path.basename(header)[:-2]
             table = section(self.text, name)
             # "`SetFooToBar()`, `…ToBaz()`" names SetFooToBaz, too.
