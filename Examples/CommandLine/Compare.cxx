@@ -6,6 +6,7 @@
 #include "FileKinds.h"
 #include "Messages.h"
 #include "ReadPicture.h"
+#include "Recipe.h"
 #include "ReportFile.h"
 #include "ReportSection.h"
 #include "TemporaryFile.h"
@@ -98,7 +99,7 @@ void Accept(vtkImageData* picture, const Options& options, VtkMessages& messages
     file.Commit();
     return;
   }
-  WritePicture(picture, baseline, messages);
+  WritePicture(picture, baseline, messages, DescribeDrawing(options));
 }
 
 void PrintMeasurement(const char* name, const std::string& path)

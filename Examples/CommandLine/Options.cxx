@@ -6,8 +6,10 @@
 #include "ComparisonOptions.h"
 #include "FileKinds.h"
 #include "Messages.h"
+#include "Recipe.h"
 
 #include <map>
+#include <set>
 
 namespace lambent::command
 {
@@ -41,9 +43,7 @@ Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --am
 
 void AddFiles(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.inputs, "meshes to draw, together one scene")
-    ->required()
-    ->type_name("");
+  app.add_option("INPUT", options.inputs, "meshes to draw, together one scene")->type_name("");
   app.add_option("-o,--output", options.output, "picture to write; - is PNG to standard output")
     ->type_name("FILE");
   AddValue(app, "--size", "WxH", options.size, ParseSize,
@@ -139,17 +139,40 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
   app.set_version_flag("--version", version);
 }
 
-void CheckOutput(const CLI::App& app, const Options& options)
+std::string IsPng(const std::string& path)
 {
-  if (app.count("--output") == 0)
+  return PictureKindOf(path) == PictureKind::Png ? "" : "'" + path + "' does not end in .png";
+}
+
+/// A picture that is drawn again brings its scene along.
+void CheckRecreate(const CLI::App& app)
+{
+  static const std::set<std::string> fitting = { "recreate", "output", "threads", "quiet",
+    "verbose" };
+  for (const CLI::Option* option : app.get_options())
   {
-    if (options.comparison.baseline.empty())
+    if (option->count() > 0 && fitting.count(option->get_single_name()) == 0)
     {
-      throw CLI::RequiredError("--output or --compare");
+      throw CLI::ExcludesError("--recreate", option->get_name());
     }
-    return;
   }
-  if (options.output != "-" && !PictureKindOf(options.output))
+}
+
+void CheckFiles(const CLI::App& app, const Options& options)
+{
+  if (!options.recreate.empty())
+  {
+    CheckRecreate(app);
+  }
+  else if (options.inputs.empty())
+  {
+    throw CLI::RequiredError("INPUT");
+  }
+  else if (app.count("--output") == 0 && options.comparison.baseline.empty())
+  {
+    throw CLI::RequiredError("--output or --compare");
+  }
+  if (app.count("--output") > 0 && options.output != "-" && !PictureKindOf(options.output))
   {
     throw CLI::ValidationError(
       "--output", "'" + options.output + "' does not end in one of " + PictureExtensions());
@@ -177,11 +200,17 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
         "compare what is drawn with this .png or .vti; -o may be left out")
       ->type_name("BASELINE")
       ->check(IsComparable));
+  app
+    .add_option("--recreate", parsed.options.recreate,
+      "draw a .png of this command again, as it says itself; without -o compare the two")
+    ->type_name("PICTURE")
+    ->check(IsPng);
   AddRunning(app, parsed.options, version);
   try
   {
     app.parse(argc, argv);
-    CheckOutput(app, parsed.options);
+    CheckFiles(app, parsed.options);
+    parsed.options.recipe = parsed.options.recreate.empty() ? MakeRecipe(app, parsed.options) : "";
   }
   catch (const CLI::CallForHelp&)
   {

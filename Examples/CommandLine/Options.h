@@ -57,6 +57,9 @@ struct Options
   std::string output;  ///< "-" is PNG to standard output; empty: none, only a comparison
   std::string picture; ///< a file to compare, instead of inputs to draw
 
+  std::string recreate; ///< a PNG to draw again as its text says, instead of inputs
+  std::string recipe;   ///< the command, without the size, that draws the inputs so
+
   ComparisonOptions comparison;
 
   std::optional<std::array<int, 2>> size; ///< absent: that of the baseline, or 1920 x 1080

@@ -190,6 +190,7 @@ void SetLightItem(LightValue& light, const std::string& key, const std::string& 
 LightValue ParseLight(const std::string& text)
 {
   LightValue light;
+  light.text = text;
   bool hasPositionalItem = false;
   for (const std::string& item : Split(text, ';'))
   {

@@ -38,6 +38,7 @@ struct LightValue
     Directional ///< from infinitely far away, travelling along `place`
   };
   Kind kind = Kind::Headlight;
+  std::string text; ///< as it was typed
   Triple place{ 0, 0, 0 };
   Triple color{ 1, 1, 1 };
   double intensity = 1;

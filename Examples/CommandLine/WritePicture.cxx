@@ -152,12 +152,13 @@ void WriteVti(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
   file.Write(text.data(), text.size());
 }
 
-void WriteKind(PictureKind kind, TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
+void WriteKind(PictureKind kind, TemporaryFile& file, vtkImageData* image, VtkMessages& messages,
+  const PictureText& text)
 {
   switch (kind)
   {
     case PictureKind::Png:
-      return WriteBytes(file, EncodePng(image, messages));
+      return WriteBytes(file, EncodePng(image, messages, text));
     case PictureKind::Jpeg:
       return WriteBytes(file, Encode(vtkNew<vtkJPEGWriter>().Get(), image, messages));
     case PictureKind::Tiff:
@@ -171,9 +172,9 @@ void WriteKind(PictureKind kind, TemporaryFile& file, vtkImageData* image, VtkMe
   }
 }
 
-void WriteToStandardOutput(vtkImageData* image, VtkMessages& messages)
+void WriteToStandardOutput(vtkImageData* image, VtkMessages& messages, const PictureText& text)
 {
-  const auto bytes = EncodePng(image, messages);
+  const auto bytes = EncodePng(image, messages, text);
   const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
   if (std::fwrite(bytes->GetPointer(0), 1, size, stdout) != size || std::fflush(stdout) != 0)
   {
@@ -188,9 +189,14 @@ std::string WhereTo(const std::string& path)
 
 } // namespace
 
-vtkSmartPointer<vtkUnsignedCharArray> EncodePng(vtkImageData* image, VtkMessages& messages)
+vtkSmartPointer<vtkUnsignedCharArray> EncodePng(
+  vtkImageData* image, VtkMessages& messages, const PictureText& text)
 {
   vtkNew<vtkPNGWriter> writer;
+  for (const auto& [key, value] : text)
+  {
+    writer->AddText(key.c_str(), value.c_str());
+  }
   writer->SetCompressionLevel(3); // of rendered surfaces about as small as 6, in less time
   return Encode(writer.Get(), image, messages);
 }
@@ -214,17 +220,18 @@ void CheckPicturePlace(const std::string& path)
   }
 }
 
-void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages)
+void WritePicture(
+  vtkImageData* image, const std::string& path, VtkMessages& messages, const PictureText& text)
 {
   try
   {
     if (path == "-")
     {
-      WriteToStandardOutput(image, messages);
+      WriteToStandardOutput(image, messages, text);
       return;
     }
     TemporaryFile file(path);
-    WriteKind(*PictureKindOf(path), file, image, messages);
+    WriteKind(*PictureKindOf(path), file, image, messages, text);
     file.Commit();
   }
   catch (const std::exception& reason) // a Failure, or memory that is not there

@@ -11,6 +11,7 @@
 #include "Progress.h"
 #include "ReadPicture.h"
 #include "ReadSurface.h"
+#include "Recipe.h"
 #include "Scene.h"
 #include "Stopwatch.h"
 #include "WritePicture.h"
@@ -190,7 +191,7 @@ bool Draw(Options options, VtkMessages& messages)
   if (!options.output.empty())
   {
     progress.Begin("writing " + options.output);
-    WritePicture(drawing.picture, options.output, messages);
+    WritePicture(drawing.picture, options.output, messages, DescribeDrawing(options));
     stopwatch.Lap("writing");
   }
   progress.Erase();
@@ -210,9 +211,11 @@ bool Draw(Options options, VtkMessages& messages)
 bool Run(const Options& options)
 {
   VtkMessages messages(!options.quiet);
-  return options.picture.empty()
-    ? Draw(options, messages)
-    : Compare(ReadPicture(options.picture, messages), PixelIds(), options, messages);
+  if (!options.picture.empty())
+  {
+    return Compare(ReadPicture(options.picture, messages), PixelIds(), options, messages);
+  }
+  return Draw(options.recreate.empty() ? options : ReadRecipe(options, messages), messages);
 }
 
 std::string Version()

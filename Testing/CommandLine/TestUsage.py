@@ -22,7 +22,8 @@ class TestUsage(CommandTest):
                        "--view-angle", "--parallel-scale", "--direction", "--zoom", "--light",
                        "--headlight", "--diffuse", "--ambient", "--color", "--ambient-color",
                        "--shading", "--ambient-model", "--background", "--threads", "--quiet",
-                       "--verbose", "--version"):
+                       "--verbose", "--version", "--compare", "--metric", "--tolerance",
+                       "--difference", "--report", "--name", "--recreate"):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Recipe.h"
+#include "CheckFile.h"
+#include "CheckPng.h"
+#include "FileBytes.h"
+#include "Messages.h"
+
+#include "vtkLambentRayTracer.h"
+
+#include "vtkNew.h"
+#include "vtkPNGReader.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cctype>
+#include <cstring>
+#include <map>
+#include <set>
+
+namespace lambent::command
+{
+namespace
+{
+
+const char* const ContractKey = "Lambent image contract";
+const char* const CommandKey = "Lambent command";
+
+/// A word that a POSIX shell reads as it is meant.
+std::string Quoted(const std::string& word)
+{
+  bool isPlain = !word.empty();
+  std::string quoted = "'";
+  for (const char c : word)
+  {
+    isPlain =
+      isPlain && (std::isalnum(static_cast<unsigned char>(c)) || std::strchr("_./,:=+@-", c));
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return isPlain ? word : quoted + "'";
+}
+
+/// The texts in a PNG file.
+std::map<std::string, std::string> ReadTexts(const std::string& path, VtkMessages& messages)
+{
+  CheckFile(path);
+  CheckPng(FileBytes(path).view());
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const std::string error = messages.TakeError();
+  if (!error.empty())
+  {
+    throw Failure(error);
+  }
+  std::map<std::string, std::string> texts;
+  for (int k = 0; k < static_cast<int>(reader->GetNumberOfTextChunks()); ++k)
+  {
+    texts[reader->GetTextKey(k)] = reader->GetTextValue(k);
+  }
+  return texts;
+}
+
+/// The options of a command that came with a picture.
+Options ParseRecipe(const std::string& command)
+{
+  std::vector<std::string> words = SplitWords(command);
+  words.insert(words.end(), { "-o", "-" }); // the parser wants to know where to
+  std::vector<const char*> argv;
+  for (const std::string& word : words)
+  {
+    argv.push_back(word.c_str());
+  }
+  const Parsed parsed = ParseOptions(static_cast<int>(argv.size()), argv.data(), "");
+  if (parsed.exitStatus || parsed.options.recipe.empty())
+  {
+    throw Failure("its command cannot be understood: " + OneLine(command));
+  }
+  return parsed.options;
+}
+
+} // namespace
+
+std::string MakeRecipe(const CLI::App& app, const Options& options)
+{
+  static const std::set<std::string> notOfTheScene = { "INPUT", "--help", "--output", "--size",
+    "--compare", "--metric", "--tolerance", "--difference", "--report", "--name", "--recreate",
+    "--light", "--headlight", "--threads", "--quiet", "--verbose", "--version" };
+  std::string recipe = "lambent";
+  for (const std::string& input : options.inputs)
+  {
+    recipe += " " + Quoted(input);
+  }
+  for (const CLI::Option* option : app.get_options())
+  {
+    const std::string name = option->get_single_name();
+    const std::string full = option->get_positional() ? name : "--" + name;
+    if (option->count() > 0 && notOfTheScene.count(full) == 0)
+    {
+      recipe += " " + full + " " + Quoted(option->results().back());
+    }
+  }
+  for (const LightValue& light : options.lights)
+  {
+    recipe +=
+      light.kind == LightValue::Kind::Headlight ? " --headlight" : " --light " + Quoted(light.text);
+  }
+  return recipe;
+}
+
+PictureText DescribeDrawing(const Options& options)
+{
+  if (options.recipe.empty())
+  {
+    return {};
+  }
+  const std::string size =
+    std::to_string((*options.size)[0]) + "x" + std::to_string((*options.size)[1]);
+  return { { ContractKey, std::to_string(vtkLambentRayTracer::GetImageContractVersion()) },
+    { CommandKey, options.recipe + " --size " + size } };
+}
+
+std::vector<std::string> SplitWords(const std::string& command)
+{
+  std::vector<std::string> words;
+  bool isQuoted = false, isInWord = false;
+  for (std::size_t k = 0; k < command.size(); ++k)
+  {
+    const char c = command[k];
+    if (!isQuoted && c == ' ')
+    {
+      isInWord = false;
+      continue;
+    }
+    if (!isInWord)
+    {
+      words.emplace_back();
+      isInWord = true;
+    }
+    if (c == '\'')
+    {
+      isQuoted = !isQuoted;
+    }
+    else if (!isQuoted && c == '\\' && k + 1 < command.size())
+    {
+      words.back() += command[++k];
+    }
+    else
+    {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+Options ReadRecipe(const Options& options, VtkMessages& messages)
+{
+  const std::string& path = options.recreate;
+  try
+  {
+    const std::map<std::string, std::string> texts = ReadTexts(path, messages);
+    const auto contract = texts.find(ContractKey), command = texts.find(CommandKey);
+    if (contract == texts.end() || command == texts.end())
+    {
+      throw Failure("it does not tell how it was drawn; only PNG files of this command do");
+    }
+    const std::string ours = std::to_string(vtkLambentRayTracer::GetImageContractVersion());
+    if (contract->second != ours && !options.quiet)
+    {
+      Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract->second) +
+        ", this is " + ours + "; bits may differ");
+    }
+    Options drawing = ParseRecipe(command->second);
+    drawing.output = options.output;
+    drawing.comparison = ComparisonOptions();
+    if (options.output.empty())
+    {
+      drawing.comparison.baseline = path;
+    }
+    drawing.threads = options.threads;
+    drawing.quiet = options.quiet;
+    drawing.verbose = options.verbose;
+    return drawing;
+  }
+  catch (const Failure& reason)
+  {
+    throw Failure("cannot recreate '" + path + "': " + reason.what());
+  }
+}
+
+} // namespace lambent::command
