@@ -17,6 +17,7 @@
 #include "vtkLambentImageComparison.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -99,7 +100,10 @@ void Accept(vtkImageData* picture, const Options& options, VtkMessages& messages
     file.Commit();
     return;
   }
-  WritePicture(picture, baseline, messages, DescribeDrawing(options));
+  // A baseline goes to others, whom the folders of this machine do not help.
+  const bool isPortable = std::none_of(options.inputs.begin(), options.inputs.end(),
+    [](const std::string& input) { return fs::path(input).is_absolute(); });
+  WritePicture(picture, baseline, messages, isPortable ? DescribeDrawing(options) : PictureText());
 }
 
 void PrintMeasurement(const char* name, const std::string& path)

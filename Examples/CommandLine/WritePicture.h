@@ -30,7 +30,7 @@ void CheckPicturePlace(const std::string& path);
 
 /**
  * Writes the image in the kind that the name tells; "-" is PNG to standard
- * output. The text goes into PNG files, others have no place for it. The file is there
+ * output. The text goes into PNG, others have no place for it. The file is there
  * whole or, if Failure is thrown, as it was before.
  */
 void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages,

@@ -233,6 +233,13 @@ class TestDrawing(CompareTest):
             lines[1], "the changed pixels show cells 0-1 of 'square.obj' and cells 1-3 of "
             "'tetrahedron.obj'")
 
+    def test_a_baseline_tells_how_it_was_drawn_but_not_where(self):
+        for mesh, says in (("square.obj", True), (self.path("square.obj"), False)):
+            self.compare(0, mesh, "--compare", "new.png", "--size", "9x9",
+                         LAMBENT_UPDATE_BASELINES="1")
+            self.assertEqual(b"Lambent command" in self.read("new.png"), says)
+            os.remove(self.path("new.png"))
+
     def test_background_is_named(self):
         self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2")
         lines = self.compare(1, "square.obj", "--parallel-scale", "2", "--background", "blue",

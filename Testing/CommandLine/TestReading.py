@@ -38,7 +38,8 @@ KINDS = {
 class TestReading(CommandTest):
 
     def picture(self, *arguments):
-        return self.succeed(*arguments, *VIEW, "-o", "-")
+        self.succeed(*arguments, *VIEW, "-o", "picture.pnm")
+        return self.read("picture.pnm")
 
     def fail_to_read(self, name):
         line = self.fail_with(1, name, "-o", "x.png")

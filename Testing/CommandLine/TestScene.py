@@ -34,7 +34,8 @@ class TestCamera(CommandTest):
         return columns, [j for j in range(9) if WHITE in rows[j]]
 
     def picture(self, *arguments):
-        return self.succeed("mesh.obj", "-o", "-", "--size", "32x24", *arguments)
+        self.succeed("mesh.obj", "-o", "picture.pnm", "--size", "32x24", *arguments)
+        return self.read("picture.pnm")
 
     def test_parallel_scale(self):
         # The picture is 2 s high, a pixel 2 s / 9; pixel i has its centre at (i - 4) 2 s / 9.
