@@ -75,15 +75,16 @@ TEST(ImageComparison, EachSingleChannelCounts)
 
 TEST(ImageComparison, SeveralPixelsAreCountedAndFramed)
 {
-  // Two channels of (5, 1), one of (2, 3) and one of (3, 3): 3 + 4, 10 and 2 apart.
-  const auto c =
-    compare(grey(7, 5, { { 5, 1, 0, 103 }, { 5, 1, 2, 96 }, { 2, 3, 1, 90 }, { 3, 3, 1, 102 } }),
-      grey(7, 5));
-  EXPECT_EQ(c->GetNumberOfChangedPixels(), 3);
+  // Two channels of (5, 1), one of (2, 2), of (3, 2) and of (4, 3): 3 and 4, 10, 2 and 1 apart.
+  const auto c = compare(
+    grey(7, 5,
+      { { 5, 1, 0, 103 }, { 5, 1, 2, 96 }, { 2, 2, 1, 90 }, { 3, 2, 1, 102 }, { 4, 3, 0, 101 } }),
+    grey(7, 5));
+  EXPECT_EQ(c->GetNumberOfChangedPixels(), 4);
   EXPECT_EQ(c->GetMaximumDifference(), 10.0);
-  EXPECT_EQ(c->GetRootMeanSquare(), std::sqrt((9.0 + 16.0 + 100.0 + 4.0) / 105.0));
+  EXPECT_EQ(c->GetRootMeanSquare(), std::sqrt((9.0 + 16.0 + 100.0 + 4.0 + 1.0) / 105.0));
   expectExtent(c, 2, 5, 1, 3);
-  EXPECT_STREQ(c->GetMessage(), "3 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)");
+  EXPECT_STREQ(c->GetMessage(), "4 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)");
 }
 
 TEST(ImageComparison, PictureAndBaselineMayChangePlaces)
