@@ -4,6 +4,7 @@
 #include "ComparisonOptions.h"
 #include "AddValue.h"
 #include "FileKinds.h"
+#include "Messages.h"
 
 namespace lambent::command
 {
@@ -114,7 +115,7 @@ Parsed ParseCompareOptions(int argc, const char* const* argv)
   {
     parsed.exitStatus = 2;
     parsed.standardError =
-      std::string("lambent: ") + error.what() + "\nTry 'lambent compare --help'.\n";
+      "lambent: " + OneLine(error.what()) + "\nTry 'lambent compare --help'.\n";
   }
   return parsed;
 }

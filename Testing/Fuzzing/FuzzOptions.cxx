@@ -30,8 +30,18 @@ void requireColor(const Triple& v)
 
 void check(const Options& options)
 {
-  require(!options.inputs.empty() && !options.output.empty(), "there are inputs and an output");
-  require(options.size[0] >= 1 && options.size[1] >= 1, "there are pixels");
+  require(!options.inputs.empty() + !options.picture.empty() + !options.recreate.empty() == 1,
+    "there are inputs, or a picture to compare or to draw again");
+  require(
+    !options.output.empty() || !options.comparison.baseline.empty() || !options.recreate.empty(),
+    "there is something to do");
+  require(options.picture.empty() || !options.comparison.baseline.empty(), "pictures are two");
+  require(options.comparison.tolerance >= 0 && std::isfinite(options.comparison.tolerance),
+    "the tolerance is not negative");
+  if (options.size)
+  {
+    require((*options.size)[0] >= 1 && (*options.size)[1] >= 1, "there are pixels");
+  }
   require(options.diffuse >= 0 && options.diffuse <= 1, "diffuse lies between 0 and 1");
   require(options.ambient >= 0 && options.ambient <= 1, "ambient lies between 0 and 1");
   require(options.zoom > 0 && std::isfinite(options.zoom), "the zoom is positive");
