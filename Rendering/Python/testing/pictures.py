@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What people call a picture, as a vtkImageData, and back to a PNG."""
+
+import os
+import re
+import secrets
+import struct
+import zlib
+
+from vtkmodules.vtkCommonCore import VTK_STRING, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+
+def as_image(picture):
+    """A vtkImageData of its own for any kind of picture; lambent.testing tells which there are."""
+    if isinstance(picture, (str, os.PathLike)):
+        image = read_png(os.fspath(picture))
+    elif isinstance(picture, vtkAlgorithm):
+        image = _output_of(picture)
+    elif isinstance(picture, vtkImageData):
+        image = picture
+    elif hasattr(picture, "__array__") or hasattr(picture, "__array_interface__"):
+        image = _image_of_array(picture)
+    else:
+        raise TypeError(
+            "a picture is a vtkImageData, a vtkAlgorithm that makes one, the path of a PNG or an"
+            " array, not %s" % _kind(picture))
+    if image.GetPointData().GetScalars() is None:
+        raise ValueError("the picture (%s) is empty: it has no point scalars" % _kind(picture))
+    if image.GetDimensions()[2] != 1:
+        raise ValueError("the picture has %d slices; give one, as by vtkExtractVOI"
+                         % image.GetDimensions()[2])
+    own = vtkImageData()
+    own.ShallowCopy(image)  # later updates of an algorithm do not change it
+    return own
+
+
+def read_png(path):
+    """The picture in a PNG file."""
+    with open(path, "rb") as file:
+        _check_png(file.read(), path)
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def fits_png(image):
+    """Whether a PNG can hold the picture without loss."""
+    return (image.GetScalarType() in (VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT)
+            and image.GetNumberOfScalarComponents() <= 4)
+
+
+def png_of(image):
+    """The bytes of a PNG file of the picture."""
+    writer = vtkPNGWriter()
+    writer.WriteToMemoryOn()
+    writer.SetInputData(image)
+    writer.Write()
+    if writer.GetErrorCode() or not writer.GetResult():
+        raise RuntimeError("vtkPNGWriter could not write the picture")
+    return bytes(memoryview(writer.GetResult()))
+
+
+def write_file(path, content):
+    """Write a file whole or not at all: whoever reads it meanwhile, or writes it as well, sees one
+    version or another."""
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    part = "%s.%s.part" % (path, secrets.token_hex(4))
+    try:
+        with open(part, "xb") as file:
+            file.write(content)
+        os.replace(part, path)
+    except BaseException:
+        if os.path.exists(part):
+            os.remove(part)
+        raise
+
+
+def _kind(picture):
+    return "%s.%s" % (type(picture).__module__, type(picture).__qualname__)
+
+
+def _output_of(algorithm):
+    """The first output of an algorithm, brought up to date; an error it reports is raised."""
+    name = algorithm.GetClassName()
+    errors = []
+
+    def note(_caller, _event, text):
+        errors.append(re.sub(r"\A(ERROR: .*\n)?\w+ \(0x\w+\): ", "", text).strip())
+
+    note.CallDataType = VTK_STRING
+    executive = algorithm.GetExecutive()
+    observed = [(each, each.AddObserver("ErrorEvent", note)) for each in (algorithm, executive)]
+    try:
+        # What fails further up in the pipeline leaves the last output as it was, without a word.
+        is_current = algorithm.GetNumberOfOutputPorts() > 0 and executive.Update(0)
+    finally:
+        for each, observer in observed:
+            each.RemoveObserver(observer)
+    if errors:
+        raise RuntimeError("%s: %s" % (name, errors[0]))
+    if not is_current:
+        raise RuntimeError("%s could not be updated; what VTK has written tells why" % name)
+    output = algorithm.GetOutputDataObject(0)
+    if not isinstance(output, vtkImageData):
+        raise TypeError("the output of %s is %s, not a vtkImageData"
+                        % (name, _kind(output)))
+    return output
+
+
+def _image_of_array(picture):
+    import numpy  # whoever passes an array has it
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    array = numpy.asarray(picture)
+    if array.dtype not in (numpy.uint8, numpy.uint16):
+        raise TypeError("the array's values are %s; a picture's are uint8 (0 to 255) or uint16"
+                        % array.dtype)
+    if array.ndim == 2:
+        array = array[:, :, numpy.newaxis]
+    if array.ndim != 3 or not 1 <= array.shape[2] <= 4 or 0 in array.shape:
+        raise ValueError("the array's shape is %s; a picture's is (height, width) or (height,"
+                         " width, components), with 1 to 4 components" % (array.shape,))
+    height, width, components = array.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    rows = numpy.ascontiguousarray(array[::-1]).reshape(-1, components)  # VTK's begin at the bottom
+    image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=True))
+    return image
+
+
+def _check_png(content, path):
+    """Raise a ValueError unless these are the bytes of a whole PNG: some of VTK's readers crash on
+    one that was cut short."""
+    if content[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("'%s' is not a PNG file" % path)
+    position = 8
+    kind = None
+    while kind != b"IEND":
+        head = content[position:position + 8]
+        length, kind = struct.unpack(">I4s", head) if len(head) == 8 else (0, None)
+        end = position + 8 + length
+        check = content[end:end + 4]
+        if len(check) < 4 or zlib.crc32(content[position + 4:end]) != int.from_bytes(check, "big"):
+            raise ValueError("'%s' is a PNG file that is damaged or cut short" % path)
+        position = end + 4
