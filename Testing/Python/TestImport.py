@@ -1,11 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package imports beside vtkmodules, and its classes are VTK's own kind."""
+"""The package imports beside vtkmodules, and its classes are VTK's own kind. All of its parts are
+there, and pytest can find the plugin."""
+
+import importlib.metadata
+import importlib.util
+import os
 
 from lambent import vtkLambentNormals, vtkLambentRayTracer
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkImageAlgorithm
 
 import lambent
+import lambent.testing.report
 
 normals = vtkLambentNormals()
 tracer = vtkLambentRayTracer()
@@ -17,3 +23,12 @@ tracer.SetImageSize(64, 48)
 assert tracer.GetImageSize() == (64, 48)
 assert vtkLambentRayTracer.GetImageContractVersion() >= 1
 assert lambent.__version__.count(".") == 2
+
+assert importlib.metadata.version("lambent") == lambent.__version__
+plugins = [point for point in importlib.metadata.entry_points(group="pytest11")
+           if point.name == "lambent"]
+home = os.path.dirname(os.path.dirname(lambent.__file__))
+for plugin in plugins:
+    assert importlib.util.find_spec(plugin.value).origin.startswith(home + os.sep), plugin
+assert plugins
+assert os.path.isfile(os.path.join(home, "lambent", "testing", "report.html"))
