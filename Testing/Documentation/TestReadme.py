@@ -54,7 +54,8 @@ class Readme(unittest.TestCase):
         quotes = QUOTE.findall(self.text)
         self.assertEqual({path for _, path, _, _ in quotes},
                          {"Examples/CommandLine/quickstart.sh", "Examples/Python/quickstart.py",
-                          "Examples/Cxx/QuickStart.cxx", "Examples/Cxx/CMakeLists.txt"})
+                          "Examples/Cxx/QuickStart.cxx", "Examples/Cxx/CMakeLists.txt",
+                          "Examples/Python/test_pictures.py"})
         for _, path, body, _ in quotes:
             self.assertEqual(body, example(path), path)
 
@@ -88,6 +89,16 @@ class Readme(unittest.TestCase):
             named = {method for method in known if re.match("(Set|Add|Remove|Reset)[A-Z]", method)
                      and "…" + method[method.find("To"):] not in table}
             self.assertEqual(named - wanted, set(), name + ": only in the README")
+
+    def test_assertions_and_options_are_those_of_pytest(self):
+        text = section(self.text, "From pytest")
+        assertions = re.findall(r"^def (assert_\w+\(.*\)):$",
+                                read("Rendering/Python/testing/assertions.py"), re.MULTILINE)
+        self.assertEqual(len(assertions), 2)
+        for assertion in assertions:
+            self.assertIn("`%s`" % assertion, text)
+        options = re.findall(r'addoption\("(--[\w-]+)"', read("Rendering/Python/pytest_lambent.py"))
+        self.assertEqual(set(re.findall(r"--lambent-\w+", text)), set(options))
 
     def test_contract_version_is_the_current_one(self):
         version = re.search(r"constexpr int ImageContractVersion = (\d+);",

@@ -1,61 +1,73 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A report of a run's pictures: one HTML file with all pictures inside, which needs no network."""
+"""A report of a run's pictures: one HTML page with the pictures inside, which needs no network. It
+looks like that of the command `lambent`."""
 
 import base64
 import html
 import os
 import string
+import struct
 
 from .pictures import write_file
-
-ROLES = ("picture", "baseline", "difference")
-HEADINGS = {"failed": "Different", "accepted": "Accepted as baselines", "passed": "As expected"}
 
 
 def write_report(path, results):
     """Write the report of the results, dictionaries as lambent.testing records them."""
-    parts = []
-    for outcome, heading in HEADINGS.items():
-        entries = [result for result in results if result["outcome"] == outcome]
-        if entries:
-            make = _row if outcome == "passed" else _section
-            parts.append("<h2>%s: %d</h2>" % (heading, len(entries)))
-            parts += map(make, entries)
     with open(os.path.join(os.path.dirname(__file__), "report.html"), encoding="utf-8") as file:
         page = string.Template(file.read())
     failed = sum(result["outcome"] == "failed" for result in results)
-    summary = "%d of %d pictures differ" % (failed, len(results))
-    content = page.substitute(summary=summary, body="\n".join(parts))
-    write_file(os.path.abspath(path), content.encode("utf-8"))
-
-
-def _row(result):
-    return "<p><b>%s</b> %s</p>" % (html.escape(result["test"]), html.escape(result["message"]))
+    content = page.substitute(
+        summary="%d of %d pictures differ" % (failed, len(results)),
+        sections="\n".join(map(_section, results)))
+    write_file(path, content.encode("utf-8"))
 
 
 def _section(result):
-    """A picture that wants to be looked at."""
-    links = {role: _embedded(result[role]) for role in ROLES if role in result}
-    lines = ["<section>", "<h3>%s</h3>" % html.escape(result["test"]),
-             "<p>%s</p>" % html.escape(result["message"])]
-    if result["outcome"] == "failed" and links.get("picture") and links.get("baseline"):
-        lines.append(
-            '<div class="slider"><div><img src="%(baseline)s" alt="baseline">'
-            '<img src="%(picture)s" alt="picture"></div>'
-            '<label>baseline <input type="range" value="50"> picture</label></div>' % links)
-    lines.append('<div class="side-by-side">')
-    for role, link in links.items():
-        shown = '<img src="%s" alt="%s">' % (link, role) if link else "(not there)"
-        lines.append("<figure>%s<figcaption>%s<br><code>%s</code></figcaption></figure>"
-                     % (shown, role, html.escape(result[role])))
-    return "\n".join(lines + ["</div>", "</section>"])
+    """What is said of one comparison; of what has passed there is no more than a line."""
+    outcome = result["outcome"]
+    lines = ["<h2>%s</h2>" % html.escape(result["test"]),
+             "<div>%s</div>" % html.escape(result["message"])]
+    if outcome != "passed":
+        if "baseline" in result:
+            what = "accepted as the baseline" if outcome == "accepted" else "the baseline"
+            lines.append("<div>%s: %s</div>" % (what, html.escape(result["baseline"])))
+        lines.append('<div class="pictures">%s</div>' % "\n".join(_figures(result)))
+    return '<section class="%s">\n%s\n</section>' % (outcome, "\n".join(lines))
 
 
-def _embedded(path):
-    """A file's picture as a link that contains it; None if it cannot be read, as from afar."""
+def _figures(result):
+    """Picture and baseline under a slider, and the difference; or as many of them as there are."""
+    found = {role: _read(result[role]) for role in ("picture", "baseline", "difference")
+             if role in result}
+    found = {role: png for role, png in found.items() if png}
+    if len(found) == 3:
+        picture, baseline = found.pop("picture"), found.pop("baseline")
+        yield ('<figure style="width: %dpx"><div class="slide">%s%s</div>'
+               '<input type="range" aria-label="picture or baseline">'
+               '<figcaption><span>picture</span><span>baseline</span></figcaption></figure>'
+               % (_width(picture), _tag(picture, "picture"), _tag(baseline, "baseline")))
+    for role, png in found.items():
+        yield ('<figure style="width: %dpx">%s<figcaption>%s</figcaption></figure>'
+               % (_width(png), _tag(png, role), role))
+
+
+def _read(path):
+    """The bytes of a PNG file; None if it is not there, as when a worker runs on another machine."""
     try:
         with open(path, "rb") as file:
-            return "data:image/png;base64," + base64.b64encode(file.read()).decode("ascii")
+            content = file.read()
     except OSError:
         return None
+    return content if content[12:16] == b"IHDR" else None
+
+
+def _width(png):
+    """The width to show a picture at; a small one is enlarged by a whole factor."""
+    width, = struct.unpack(">I", png[16:20])
+    return width * max(1, 360 // width)
+
+
+def _tag(png, role):
+    return ('<img alt="%s" src="data:image/png;base64,%s">'
+            % (role, base64.b64encode(png).decode("ascii")))
