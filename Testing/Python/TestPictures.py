@@ -151,6 +151,7 @@ class Equality(unittest.TestCase):
                 ({"metric": "rsme"}, ValueError, "'rsme'; it can be 'max', 'rmse', 'ssim'"),
                 ({"tolerance": -1}, ValueError, "-1; it is a number, 0 or larger"),
                 ({"tolerance": float("nan")}, ValueError, "nan"),
+                ({"tolerance": float("inf")}, ValueError, "inf"),
                 ({"tolerance": "1"}, ValueError, "'1'")):
             with self.assertRaisesRegex(error, re.escape(text)):
                 assert_images_equal(image(), image(), **options)
