@@ -68,6 +68,7 @@ class PictureRun:
         self.item = None  # the test that is running
         self.fresh = []  # the results of its current phase
         self.results = []  # those of all phases that have been reported
+        self.report = None  # the file, when it is written
         self.problems = []  # what makes the run fail although its tests have passed
 
     # What lambent.testing asks.
@@ -104,11 +105,12 @@ class PictureRun:
         return "/".join(folders + [_plain(test.replace("::", ".") + bracket + parameters)])
 
     def _common_baselines(self):
-        option = self.config.getoption("lambent_baselines")
-        ini = self.config.getini("lambent_baselines")
-        if ini and not option:
-            option = str(self.config.inipath.parent / ini)
-        return option
+        """The folder that an option or else the ini-file names, if one of them does."""
+        config = self.config
+        folder = config.getoption("lambent_baselines") or config.getini("lambent_baselines")
+        # There may be no ini-file: -o stands for one.
+        home = config.inipath.parent if config.inipath else config.invocation_params.dir
+        return folder and str(home / folder)
 
     # What pytest tells.
 
@@ -158,8 +160,8 @@ class PictureRun:
             write("%s (%s)" % (result["baseline"], result["change"]))
         for problem in self.problems:
             write("lambent: " + problem, red=True)
-        if self.config.getoption("lambent_report") and not self.problems:
-            write("lambent: the report is " + self.config.getoption("lambent_report"))
+        if self.report:
+            write("lambent: the report is " + self.report)
 
     def _of(self, outcome):
         return [result for result in self.results if result["outcome"] == outcome]
@@ -181,6 +183,7 @@ class PictureRun:
         from lambent.testing.report import write_report
         try:
             write_report(path, self.results)
+            self.report = path
         except OSError as error:
             self.problems.append("could not write the report: %s" % error)
 

@@ -222,6 +222,8 @@ class Names(PytestSuiteTest):
         self.assertEqual(self.baselines("one/of_ini"), ["test_one/test_box.png"])
         self.run_pytest("--lambent-update", "--lambent-baselines", "of_option", "one")
         self.assertEqual(self.baselines("of_option"), ["test_one/test_box.png"])
+        self.run_pytest("--lambent-update", "-o", "lambent_baselines=instead", "two")
+        self.assertEqual(self.baselines("instead"), ["two/test_two/test_box.png"])
 
     def test_names_that_lead_elsewhere_are_errors(self):
         names = ["", ".", "..", "../box", "a/../../box", "/box", "a//b", "a/", ".png", ".hidden",
