@@ -13,6 +13,7 @@ from picture_suites import SuiteTest
 from vtkmodules.vtkCommonCore import VTK_FLOAT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkImagingCore import vtkImageFlip
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -137,14 +138,22 @@ class Equality(unittest.TestCase):
         self.assertNotIn("picture:", message)  # no PNG holds it
         self.assertIn("difference:", message)
 
-    def test_a_picture_is_not_followed_by_later_updates(self):
+    def test_a_filter_may_release_its_picture_when_the_next_has_taken_it(self):
+        reader = vtkPNGReader()
+        reader.SetFileName(self.png(image()))
+        reader.ReleaseDataFlagOn()
+        same = vtkImageFlip()  # along z, of one slice
+        same.SetFilteredAxis(2)
+        same.SetInputConnection(reader.GetOutputPort())
+        assert_images_equal(reader, same)
+
+    def test_a_changed_filter_is_updated(self):
         tracer = vtkLambentRayTracer()
         tracer.AddInputDataObject(0, vtkPolyData())
         tracer.SetImageSize(WIDTH, HEIGHT)
-        tracer.SetBackground(1, 1, 1)
-        assert_images_equal(tracer, np.full((HEIGHT, WIDTH, 3), 255, np.uint8))
-        tracer.SetBackground(0, 0, 0)
-        assert_images_equal(tracer, np.zeros((HEIGHT, WIDTH, 3), np.uint8))
+        for value in (0, 255):
+            tracer.SetBackground([value / 255] * 3)
+            assert_images_equal(tracer, np.full((HEIGHT, WIDTH, 3), value, np.uint8))
 
     def test_bad_settings_are_errors(self):
         for options, error, text in (

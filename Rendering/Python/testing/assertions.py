@@ -93,7 +93,7 @@ def baseline_file(folder, name):
 
 
 def _comparison(tolerance, metric):
-    """A comparison that is to be made; without one that has been made nothing has passed."""
+    """A comparison that is still to be made; until then nothing has passed."""
     if metric not in METRICS:
         raise ValueError("the metric is %r; it can be %s"
                          % (metric, ", ".join(map(repr, METRICS))))
@@ -136,10 +136,9 @@ def _accept(result, picture):
 
 
 def _save(result, stem, **images):
-    """Write the pictures, of those that are not empty and fit into a PNG; name them in the
-    result."""
+    """Write those of the pictures that a PNG can hold; name them in the result."""
     for role, image in images.items():
-        if image.GetNumberOfPoints() and fits_png(image):
+        if fits_png(image):
             result[role] = "%s.%s.png" % (stem, role)
             write_file(result[role], png_of(image))
 

@@ -49,9 +49,11 @@ def read_png(path):
 
 
 def fits_png(image):
-    """Whether a PNG can hold the picture without loss."""
-    return (image.GetScalarType() in (VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT)
-            and image.GetNumberOfScalarComponents() <= 4)
+    """Whether there is a picture, and a PNG can hold it without loss."""
+    scalars = image.GetPointData().GetScalars()
+    return (scalars is not None
+            and scalars.GetDataType() in (VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT)
+            and scalars.GetNumberOfComponents() <= 4)
 
 
 def png_of(image):
