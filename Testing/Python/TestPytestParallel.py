@@ -35,6 +35,7 @@ class Report(PytestSuiteTest):
         self.assertNotIn("<b>&amp;]", page)
         sources = re.findall(r'(?:src|href)="([^"]*)"', page)
         self.assertEqual(len(sources), 3)
+        self.assertEqual(page.count('<div class="slide"><img alt="picture" src='), 1)
         for source in sources:
             self.assertTrue(source.startswith("data:image/png;base64,"), source[:40])
         self.assertNotIn("http", page)
@@ -78,6 +79,7 @@ class Parallel(PytestSuiteTest):
         for width in range(40, 48):
             self.assertEqual(summary.count("test_box.py::test_box[%d]\n" % width), 1)
             self.assertEqual(page.count("<h2>test_box.py::test_box[%d]</h2>" % width), 1)
+        self.assertNotIn("def assert_matches", run.text)  # the tests are shown, not the fixture
         pictures = set(run.paths("picture"))
         self.assertEqual(len(pictures), 8)
         self.assertTrue(all(map(os.path.isfile, pictures)))
