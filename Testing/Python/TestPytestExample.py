@@ -1,27 +1,25 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example of pictures as tests passes with the baselines beside it, and a change of what it draws
-makes the right tests fail.
-
-    TestPytestExample.py FOLDER
-"""
+"""The example of pictures as tests passes with the baselines beside it, and a change of what it
+draws makes the right tests fail. Needs pytest."""
 
 import os
 import shutil
-import sys
 import unittest
 
 from picture_suites import PytestSuiteTest, require_pytest
 
 require_pytest()
-folder = os.path.abspath(sys.argv.pop(1))
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+EXAMPLES = os.path.join(ROOT, "Examples", "Python")
 
 
 class Example(PytestSuiteTest):
     def setUp(self):
         super().setUp()
-        shutil.copy(os.path.join(folder, "test_pictures.py"), self.suite)
-        shutil.copytree(os.path.join(folder, "baselines"), os.path.join(self.suite, "baselines"))
+        shutil.copy(os.path.join(EXAMPLES, "test_pictures.py"), self.suite)
+        shutil.copytree(os.path.join(EXAMPLES, "baselines"), os.path.join(self.suite, "baselines"))
 
     def test_it_passes_and_needs_each_of_its_baselines(self):
         self.assertIn("3 passed", self.run_pytest().text)
