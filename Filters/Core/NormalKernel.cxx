@@ -144,7 +144,7 @@ struct Corners
 
 Corners load(const std::int64_t* corners)
 {
-  Corners result;
+  Corners result{ I(), I(), I() };
   hn::LoadInterleaved3(di, corners, result.a, result.b, result.c);
   return result;
 }
@@ -267,7 +267,7 @@ std::size_t WriteNormals(const PointSum* sums, std::size_t count, float sign, fl
   const std::size_t end = count - count % lanes;
   for (std::size_t k = 0; k < end; k += lanes)
   {
-    Vector3 sum;
+    Vector3 sum{ V(), V(), V() };
     V unused;
     hn::LoadInterleaved4(d, &sums[k].x, sum.x, sum.y, sum.z, unused);
     const V square = dot(sum, sum);

@@ -164,7 +164,7 @@ private:
   bool IsParallel;
   V Depths[3];
   V Nearest, Farthest;
-  Affine Edges[3];
+  Affine Edges[3] = {};
   V Errors[3], Sizes[3];
 };
 
@@ -173,7 +173,7 @@ void setUp(
   const CameraFrame& frame, const CellPlane& cell, const CastBatch& batch, int k, Triangles& out)
 {
   const VectorFrame vectorFrame(frame);
-  FrameVector corners[3];
+  FrameVector corners[3] = {};
   for (int corner = 0; corner < 3; ++corner)
   {
     corners[corner] = vectorFrame.toFrame(hn::Load(d, batch.points[3 * corner] + k),

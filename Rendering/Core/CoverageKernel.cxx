@@ -161,17 +161,22 @@ void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, Cover
     const auto numbers = hn::Iota(u, k);
     const Floats firstColumn = hn::ConvertTo(f, hn::LoadU(s, batch.i + k));
     const Floats firstRow = hn::ConvertTo(f, hn::LoadU(s, batch.j + k));
-    Products columns[SmallTriangles::side];
+    Floats bc[SmallTriangles::side], ca[SmallTriangles::side], ab[SmallTriangles::side];
     for (int i = 0; i < batch.width; ++i)
     {
-      columns[i] = acrossColumn(t, hn::Add(firstColumn, hn::Set(f, static_cast<float>(i))));
+      const Products column =
+        acrossColumn(t, hn::Add(firstColumn, hn::Set(f, static_cast<float>(i))));
+      bc[i] = column.bc;
+      ca[i] = column.ca;
+      ab[i] = column.ab;
     }
     for (int j = 0; j < batch.height; ++j)
     {
       const Products row = acrossRow(t, hn::Add(firstRow, hn::Set(f, static_cast<float>(j))));
       for (int i = 0; i < batch.width; ++i)
       {
-        store(t, columns[i], row, hn::Add(numbers, hn::Set(u, CoveredRay::at(i, j))), covered);
+        store(t, { bc[i], ca[i], ab[i] }, row, hn::Add(numbers, hn::Set(u, CoveredRay::at(i, j))),
+          covered);
       }
     }
   }
