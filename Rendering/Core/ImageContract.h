@@ -128,6 +128,13 @@ inline unsigned char toByte(double value)
   const double clamped = value > 0.0 ? (value < 1.0 ? value : 1.0) : 0.0;
   return static_cast<unsigned char>(255.0 * clamped + 0.5);
 }
+
+/// A channel as the float of an image. What is not a number always becomes the same
+/// one: of the many that there are, processors choose different ones.
+inline float toFloat(double value)
+{
+  return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);
+}
 }
 
 #endif

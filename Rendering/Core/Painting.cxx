@@ -139,7 +139,7 @@ void Painting::store(std::size_t pixel, const Vec3& color) const
     }
     else
     {
-      this->Target.floats[3 * pixel + channel] = static_cast<float>(color[channel]);
+      this->Target.floats[3 * pixel + channel] = toFloat(color[channel]);
     }
   }
 }
@@ -203,7 +203,7 @@ void Painting::store(const ShadeRange& range, const ShadeBatch& batch) const
     float* const out = this->Target.floats + 3 * batch.pixels[k];
     for (int channel = 0; channel < 3; ++channel)
     {
-      out[channel] = static_cast<float>(batch.colors[channel][k]);
+      out[channel] = toFloat(batch.colors[channel][k]);
     }
   }
 }

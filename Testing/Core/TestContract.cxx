@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The image contract's ray-triangle test and its bytes.
+// The image contract's ray-triangle test, its bytes and its floats.
 #include "ImageContract.h"
 #include "RandomNumbers.h"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <vector>
 
 using namespace lambent;
@@ -248,4 +249,20 @@ TEST(Contract, Bytes)
   EXPECT_EQ(toByte(1e300), 255);
   EXPECT_EQ(toByte(infinite), 255);
   EXPECT_EQ(toByte(notANumber), 0);
+}
+
+// Processors differ in the sign and the other bits of what is not a number; pictures do not.
+TEST(Contract, Floats)
+{
+  for (double value : { 0.0, -0.0, 0.1, -1e30, 1e-310, infinite, -infinite })
+  {
+    EXPECT_EQ(toFloat(value), static_cast<float>(value));
+    EXPECT_EQ(std::signbit(toFloat(value)), std::signbit(value));
+  }
+  const float same = std::numeric_limits<float>::quiet_NaN();
+  for (double value : { notANumber, -notANumber, std::nan("0x12345"), infinite - infinite })
+  {
+    const float channel = toFloat(value);
+    EXPECT_EQ(std::memcmp(&channel, &same, sizeof(float)), 0);
+  }
 }
