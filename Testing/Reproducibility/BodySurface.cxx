@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BodySurface.h"
+
+#include "MergedFaces.h"
+
+BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
+  : HasFloats(body.hasFloatPoints)
+  , HasNarrowIds(body.has32BitIds)
+  , Kind(body.kind)
+{
+  this->setPoints(body);
+  this->setCells(body, parallel);
+  this->Result.pointNormals = keep(body.pointNormals, this->PointNormals);
+  if (body.material.shading == lambent::Shading::Flat)
+  {
+    this->Result.cellNormals = keep(body.cellNormals, this->CellNormals);
+  }
+  this->Result.material = body.material;
+}
+
+void BodySurface::setPoints(const Body& body)
+{
+  for (const Vec3& p : body.shape.points)
+  {
+    this->Doubles.insert(this->Doubles.end(), { p.x, p.y, p.z });
+  }
+  this->Floats.assign(this->Doubles.begin(), this->Doubles.end());
+  this->Result.points = this->points();
+}
+
+// As in polydata: triangles are used where they are, all else is cut.
+void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
+{
+  this->Offsets64.push_back(0);
+  for (const auto& cell : body.shape.cells)
+  {
+    this->Ids64.insert(this->Ids64.end(), cell.begin(), cell.end());
+    this->Offsets64.push_back(static_cast<std::int64_t>(this->Ids64.size()));
+  }
+  this->Ids32.assign(this->Ids64.begin(), this->Ids64.end());
+  this->Offsets32.assign(this->Offsets64.begin(), this->Offsets64.end());
+  if (body.kind == lambent::CellKind::Polygons &&
+    inspect(this->cells(), parallel) == lambent::CellSizes::Triangles)
+  {
+    this->Result.corners = this->cells().connectivity;
+    return;
+  }
+  triangulate(this->cells(), body.kind, this->points(), 0, parallel, this->Triangles);
+  this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
+  this->Result.cells = this->Triangles.cells.data();
+}
+
+lambent::TupleSpan BodySurface::points() const
+{
+  const std::size_t count = this->Doubles.size() / 3;
+  return this->HasFloats ? lambent::TupleSpan{ this->Floats.data(), false, count }
+                         : lambent::TupleSpan{ this->Doubles.data(), true, count };
+}
+
+lambent::CellSpan BodySurface::cells() const
+{
+  return this->HasNarrowIds
+    ? lambent::CellSpan{ { this->Offsets32.data(), false, this->Offsets32.size() },
+        { this->Ids32.data(), false, this->Ids32.size() } }
+    : lambent::CellSpan{ { this->Offsets64.data(), true, this->Offsets64.size() },
+        { this->Ids64.data(), true, this->Ids64.size() } };
+}
+
+lambent::TupleSpan BodySurface::keep(const std::vector<Vec3>& tuples, std::vector<double>& memory)
+{
+  for (const Vec3& t : tuples)
+  {
+    memory.insert(memory.end(), { t.x, t.y, t.z });
+  }
+  return tuples.empty() ? lambent::TupleSpan()
+                        : lambent::TupleSpan{ memory.data(), true, tuples.size() };
+}
+
+std::vector<Vec3> BodySurface::pointNormals(
+  lambent::Weighting how, const lambent::Parallel& parallel) const
+{
+  const lambent::MergedFaces merged = this->Kind == lambent::CellKind::Strips
+    ? mergeFaces(lambent::CellSpan(), this->cells())
+    : lambent::MergedFaces();
+  lambent::Faces faces;
+  faces.points = this->points();
+  faces.cells = this->Kind == lambent::CellKind::Strips ? merged.span() : this->cells();
+  faces.blocks = checkCells(faces.cells, faces.points.size, parallel).blocks;
+  faces.skip = findNonFinite(faces.points, faces.cells, parallel);
+  std::vector<float> normals(3 * faces.points.size);
+  computePointNormals(faces, how, 1.0f, parallel, normals.data());
+  std::vector<Vec3> result;
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    result.emplace_back(normals[k], normals[k + 1], normals[k + 2]);
+  }
+  return result;
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief a body as a surface of the core's scene, without VTK
+ */
+#ifndef BodySurface_h
+#define BodySurface_h
+
+#include "Stage.h"
+
+#include "Parallel.h"
+#include "PointNormals.h"
+
+/// The surface and the memory that its spans point to.
+class BodySurface
+{
+public:
+  BodySurface(const Body& body, const lambent::Parallel& parallel);
+  BodySurface(const BodySurface&) = delete;
+  void operator=(const BodySurface&) = delete;
+
+  const lambent::Surface& surface() const { return this->Result; }
+
+  /// What vtkLambentNormals computes for the body; one a point.
+  std::vector<Vec3> pointNormals(lambent::Weighting how, const lambent::Parallel& parallel) const;
+
+private:
+  void setPoints(const Body& body);
+  void setCells(const Body& body, const lambent::Parallel& parallel);
+  lambent::TupleSpan points() const;
+  lambent::CellSpan cells() const;
+  static lambent::TupleSpan keep(const std::vector<Vec3>& tuples, std::vector<double>& memory);
+
+  const bool HasFloats;
+  const bool HasNarrowIds;
+  lambent::CellKind Kind;
+  std::vector<float> Floats;
+  std::vector<double> Doubles;
+  std::vector<std::int32_t> Offsets32, Ids32;
+  std::vector<std::int64_t> Offsets64, Ids64;
+  std::vector<double> PointNormals, CellNormals;
+  lambent::TriangleList Triangles;
+  lambent::Surface Result;
+};
+
+#endif

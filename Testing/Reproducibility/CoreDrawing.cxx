@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Drawing by the core alone.
+#include "BodySurface.h"
+#include "Drawing.h"
+#include "Render.h"
+
+#include "../Core/ThreadedParallel.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace
+{
+/// Bodies as surfaces, with the normals that smooth ones without any get.
+std::vector<std::unique_ptr<BodySurface>> surfacesOf(
+  std::vector<Body> bodies, unsigned int shuffle, const lambent::Parallel& parallel)
+{
+  for (Body& body : bodies)
+  {
+    if (body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty())
+    {
+      body.pointNormals = BodySurface(body, parallel).pointNormals(body.weighting, parallel);
+    }
+  }
+  std::vector<std::unique_ptr<BodySurface>> surfaces;
+  for (const Body& body : shuffle ? shuffled(bodies, shuffle) : bodies)
+  {
+    surfaces.push_back(std::make_unique<BodySurface>(body, parallel));
+  }
+  return surfaces;
+}
+
+/// As vtkRenderer::ResetCamera() does, from the default direction.
+lambent::Camera framed(
+  const Stage& stage, const lambent::Scene& scene, const lambent::Parallel& parallel)
+{
+  lambent::Bounds bounds;
+  for (const lambent::Surface& surface : scene.surfaces)
+  {
+    bounds.add(findBounds(surface, parallel));
+  }
+  return frameBounds(lambent::Camera(), bounds, stage.width, stage.height);
+}
+
+void drawPart(const lambent::Scene& scene, const lambent::Window& part,
+  const lambent::Parallel& parallel, bool byBruteForce, Picture& picture)
+{
+  std::vector<float> floats(3u * part.width() * part.height());
+  std::vector<unsigned char> bytes(floats.size());
+  lambent::Image image;
+  image.width = picture.width;
+  image.height = picture.height;
+  image.part = part;
+  const lambent::Settings settings =
+    byBruteForce ? lambent::Settings::bruteForce(part) : lambent::Settings();
+  image.floats = floats.data();
+  const auto outcome = render(scene, image, parallel, nullptr, settings).outcome;
+  image.floats = nullptr;
+  image.bytes = bytes.data();
+  render(scene, image, parallel, nullptr, settings);
+  if (outcome != lambent::Outcome::Done)
+  {
+    throw std::runtime_error("a cell names a point that does not exist");
+  }
+  paste(floats.data(), part, picture.width, picture.floats);
+  paste(bytes.data(), part, picture.width, picture.bytes);
+}
+}
+
+Picture draw(const Stage& stage, const Manner& manner)
+{
+  if (!manner.backend.empty())
+  {
+    throw std::runtime_error("the core alone has no backends; leave out --backend");
+  }
+  const int threads = manner.threads > 0
+    ? manner.threads
+    : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const ThreadedParallel parallel(threads);
+  const auto surfaces = surfacesOf(stage.bodies, manner.shuffle, parallel);
+  lambent::Scene scene = stage.scene;
+  for (const auto& surface : surfaces)
+  {
+    scene.surfaces.push_back(surface->surface());
+  }
+  if (stage.isFramed)
+  {
+    scene.camera = framed(stage, scene, parallel);
+  }
+  Picture picture;
+  picture.width = stage.width;
+  picture.height = stage.height;
+  picture.floats.resize(3u * stage.width * stage.height);
+  picture.bytes.resize(picture.floats.size());
+  const lambent::Window whole{ 0, stage.width, 0, stage.height };
+  for (const lambent::Window& part :
+    manner.inParts ? partsOf(stage.width, stage.height) : std::vector<lambent::Window>{ whole })
+  {
+    drawPart(scene, part, parallel, manner.byBruteForce, picture);
+  }
+  return picture;
+}
+
+std::vector<std::string> backendsHere()
+{
+  return {};
+}

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StageToVTK.h"
+
+#include "vtkLambentNormals.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+
+#include <stdexcept>
+
+namespace
+{
+template <typename Array>
+vtkSmartPointer<Array> toTuples(const std::vector<Vec3>& tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName("Tuples");
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  for (std::size_t k = 0; k < tuples.size(); ++k)
+  {
+    array->SetTuple(static_cast<vtkIdType>(k), &tuples[k].x);
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkCellArray> toCells(const Body& body)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const auto& cell : body.shape.cells)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(cell.size()));
+    for (std::int64_t id : cell)
+    {
+      cells->InsertCellPoint(static_cast<vtkIdType>(id));
+    }
+  }
+  body.has32BitIds ? cells->ConvertTo32BitStorage() : cells->ConvertTo64BitStorage();
+  return cells;
+}
+}
+
+vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(body.hasFloatPoints ? VTK_FLOAT : VTK_DOUBLE);
+  if (body.hasFloatPoints)
+  {
+    points->SetData(toTuples<vtkFloatArray>(body.shape.points));
+  }
+  else
+  {
+    points->SetData(toTuples<vtkDoubleArray>(body.shape.points));
+  }
+  result->SetPoints(points);
+  body.kind == lambent::CellKind::Strips ? result->SetStrips(toCells(body))
+                                         : result->SetPolys(toCells(body));
+  if (!body.pointNormals.empty())
+  {
+    result->GetPointData()->SetNormals(toTuples<vtkDoubleArray>(body.pointNormals));
+  }
+  if (!body.cellNormals.empty())
+  {
+    result->GetCellData()->SetNormals(toTuples<vtkDoubleArray>(body.cellNormals));
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkProperty> toProperty(const lambent::Material& material)
+{
+  auto property = vtkSmartPointer<vtkProperty>::New();
+  property->SetDiffuse(1.0);
+  property->SetAmbient(1.0);
+  property->SetDiffuseColor(material.diffuse.x, material.diffuse.y, material.diffuse.z);
+  property->SetAmbientColor(material.ambient.x, material.ambient.y, material.ambient.z);
+  property->SetInterpolation(material.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
+  property->SetLighting(material.shading != lambent::Shading::Unlit);
+  property->SetFrontfaceCulling(material.cullFront);
+  property->SetBackfaceCulling(material.cullBack);
+  return property;
+}
+
+vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera)
+{
+  auto result = vtkSmartPointer<vtkCamera>::New();
+  result->SetPosition(camera.position.x, camera.position.y, camera.position.z);
+  result->SetFocalPoint(camera.focalPoint.x, camera.focalPoint.y, camera.focalPoint.z);
+  result->SetViewUp(camera.viewUp.x, camera.viewUp.y, camera.viewUp.z);
+  result->SetViewAngle(camera.viewAngle);
+  result->SetUseHorizontalViewAngle(camera.horizontalViewAngle);
+  result->SetParallelProjection(camera.parallel);
+  result->SetParallelScale(camera.parallelScale);
+  result->SetWindowCenter(camera.windowCenter[0], camera.windowCenter[1]);
+  return result;
+}
+
+vtkSmartPointer<vtkLight> toLight(const lambent::Light& light)
+{
+  // A direction alone is told from the origin, so that it stays as it is.
+  const Vec3 from = light.positional ? light.position : Vec3(0.0);
+  const bool isCone = light.positional && light.coneAngle < 90.0;
+  const Vec3 at = from + light.direction;
+  if (isCone && at - from != light.direction)
+  {
+    throw std::runtime_error("the direction of a cone is lost in rounding; give it and the "
+                             "position fewer digits");
+  }
+  auto result = vtkSmartPointer<vtkLight>::New();
+  result->SetLightTypeToSceneLight();
+  result->SetPositional(light.positional);
+  result->SetPosition(from.x, from.y, from.z);
+  result->SetFocalPoint(at.x, at.y, at.z);
+  result->SetColor(light.color.x, light.color.y, light.color.z);
+  result->SetConeAngle(light.coneAngle);
+  result->SetExponent(light.exponent);
+  result->SetAttenuationValues(light.attenuation.x, light.attenuation.y, light.attenuation.z);
+  return result;
+}
+
+vtkSmartPointer<vtkLight> noLight()
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SwitchOff();
+  return light;
+}
+
+std::vector<Vec3> computeNormals(const Body& body)
+{
+  vtkNew<vtkLambentNormals> filter;
+  filter->SetInputData(toPolyData(body));
+  filter->SetWeighting(static_cast<int>(body.weighting));
+  filter->Update();
+  vtkDataArray* normals = filter->GetOutput()->GetPointData()->GetNormals();
+  if (!normals)
+  {
+    throw std::runtime_error("the normals refuse the scene");
+  }
+  std::vector<Vec3> result(body.shape.points.size());
+  for (std::size_t k = 0; k < result.size(); ++k)
+  {
+    normals->GetTuple(static_cast<vtkIdType>(k), &result[k].x);
+  }
+  return result;
+}

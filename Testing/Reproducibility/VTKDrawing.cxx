@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Drawing by the VTK filters.
+#include "Drawing.h"
+#include "StageToVTK.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLambentRayTracer.h"
+#include "vtkLight.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkSMPTools.h"
+
+#include <stdexcept>
+
+namespace
+{
+/// Bodies with their smooth ones' normals, where these cannot be left to the ray tracer.
+std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
+{
+  for (Body& body : bodies)
+  {
+    if (body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty() &&
+      (shuffle || body.weighting != lambent::Weighting::Angle))
+    {
+      body.pointNormals = computeNormals(body);
+    }
+  }
+  return shuffle ? shuffled(bodies, shuffle) : bodies;
+}
+
+void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer)
+{
+  const lambent::Scene& scene = stage.scene;
+  int input = 0;
+  for (const Body& body : prepared(stage.bodies, manner.shuffle))
+  {
+    tracer->AddInputDataObject(toPolyData(body));
+    tracer->SetInputProperty(input++, toProperty(body.material));
+  }
+  if (input == 0)
+  {
+    tracer->SetInputDataObject(vtkNew<vtkPolyData>());
+  }
+  for (const lambent::Light& light : scene.lights)
+  {
+    tracer->AddLight(toLight(light));
+  }
+  if (scene.lights.empty())
+  {
+    tracer->AddLight(noLight());
+  }
+  if (!stage.isFramed)
+  {
+    tracer->SetCamera(toCamera(scene.camera));
+  }
+  tracer->SetImageSize(stage.width, stage.height);
+  tracer->SetTwoSidedLighting(scene.twoSidedLighting);
+  tracer->SetAmbientModel(scene.ambientModel == lambent::AmbientModel::Scene
+      ? vtkLambentRayTracer::SCENE
+      : vtkLambentRayTracer::PER_LIGHT);
+  tracer->SetGradientBackground(scene.background != scene.backgroundTop);
+  tracer->SetBackground(scene.background.x, scene.background.y, scene.background.z);
+  tracer->SetBackground2(scene.backgroundTop.x, scene.backgroundTop.y, scene.backgroundTop.z);
+}
+
+template <typename Channel>
+void fetch(vtkLambentRayTracer* tracer, int scalarType, const lambent::Window& part,
+  const Stage& stage, std::vector<Channel>& whole)
+{
+  const int extent[6] = { part.i0, part.i1 - 1, part.j0, part.j1 - 1, 0, 0 };
+  tracer->SetOutputScalarType(scalarType);
+  tracer->UpdateExtent(extent);
+  vtkImageData* image = tracer->GetOutput();
+  if (image->GetNumberOfPoints() != static_cast<vtkIdType>(part.width()) * part.height())
+  {
+    throw std::runtime_error("the filter refuses the scene");
+  }
+  paste(static_cast<const Channel*>(image->GetScalarPointer()), part, stage.width, whole);
+}
+
+Picture drawHere(const Stage& stage, const Manner& manner)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  setUp(stage, manner, tracer);
+  Picture picture;
+  picture.width = stage.width;
+  picture.height = stage.height;
+  picture.floats.resize(3u * stage.width * stage.height);
+  picture.bytes.resize(picture.floats.size());
+  const lambent::Window whole{ 0, stage.width, 0, stage.height };
+  for (const lambent::Window& part :
+    manner.inParts ? partsOf(stage.width, stage.height) : std::vector<lambent::Window>{ whole })
+  {
+    fetch(tracer, VTK_FLOAT, part, stage, picture.floats);
+    fetch(tracer, VTK_UNSIGNED_CHAR, part, stage, picture.bytes);
+  }
+  return picture;
+}
+}
+
+Picture draw(const Stage& stage, const Manner& manner)
+{
+  if (manner.byBruteForce)
+  {
+    throw std::runtime_error("only the core has --brute-force");
+  }
+  vtkObject::GlobalWarningDisplayOff(); // hostile scenes bring warnings
+  const std::string backend = manner.backend.empty() ? vtkSMPTools::GetBackend() : manner.backend;
+  Picture picture;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ manner.threads, backend, false },
+    [&]()
+    {
+      if (backend != vtkSMPTools::GetBackend())
+      {
+        throw std::runtime_error("this VTK has no backend " + backend);
+      }
+      picture = drawHere(stage, manner);
+    });
+  return picture;
+}
+
+std::vector<std::string> backendsHere()
+{
+  return
+  {
+#if VTK_SMP_ENABLE_SEQUENTIAL
+    "Sequential",
+#endif
+#if VTK_SMP_ENABLE_STDTHREAD
+      "STDThread",
+#endif
+#if VTK_SMP_ENABLE_TBB
+      "TBB",
+#endif
+#if VTK_SMP_ENABLE_OPENMP
+      "OpenMP",
+#endif
+  };
+}
