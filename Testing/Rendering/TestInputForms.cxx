@@ -75,6 +75,7 @@ bool isInside(const std::vector<Vec>& polygon, double x, double y)
 }
 }
 
+// Others took one for the other: topology-tool-kit/ttk#490, valette/ACVD#53.
 TEST(InputForms, CellArraysOf32And64Bits)
 {
   for (const Mesh& mesh : { makeSphere(9), makeCylinder(11) })

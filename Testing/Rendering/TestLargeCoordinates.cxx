@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small things far from the origin: map coordinates of 10^7 with features of 10^-3.
 // Moved by an offset that loses no bit of any coordinate, a scene gives the same bits
-// as at the origin, since all that counts is taken relative to the eye.
+// as at the origin, since all that counts is taken relative to the eye. Others were told that
+// such scenes jitter: Kitware/vtk-js#1217, OPM/ResInsight#2578, RobotLocomotion/drake#2244.
 #include "Meshes.h"
 
 namespace

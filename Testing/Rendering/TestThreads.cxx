@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bits on every backend of vtkSMPTools and for every number of threads, and
-// no memory left behind.
+// no memory left behind. Others were told of pictures that differ: mitsuba-renderer/mitsuba#184,
+// POV-Ray/povray#350.
 #include "Meshes.h"
 
 #include "vtkSMPTools.h"
