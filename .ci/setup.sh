@@ -57,6 +57,11 @@ need_benchmarks() {
   need "counting instructions" valgrind
 }
 
+need_matrix() {
+  need "other compilers and processors" clang libc++-dev libc++abi-dev g++-i686-linux-gnu \
+    g++-aarch64-linux-gnu qemu-user-static
+}
+
 # Installs what need() found missing.
 install_missing() {
   [ -n "$missing" ] || return 0
