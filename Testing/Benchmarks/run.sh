@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs what is missing, builds, and runs Lambent and its peers side by side:
-#   sh Testing/Benchmarks/run.sh            everything; about half an hour
+#   sh Testing/Benchmarks/run.sh            everything; about twenty minutes
 #   sh Testing/Benchmarks/run.sh --quick    the goals, in a minute
 # Further options: see suite.py.
 set -eu

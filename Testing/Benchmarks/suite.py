@@ -52,7 +52,7 @@ class Suite:
         self.pace = (
             ["--seconds=0.35", "--fewest=3", "--most=25"]
             if quick
-            else ["--seconds=3", "--fewest=5", "--most=61"]
+            else ["--seconds=1.5", "--fewest=3", "--most=41"]
         )
 
     def time(self, name, contests):

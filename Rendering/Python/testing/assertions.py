@@ -24,7 +24,7 @@ def assert_images_equal(a, b, tolerance=0, metric="max"):
 
     `metric` is what must not exceed `tolerance`: "max", the largest difference of two values, or
     "rmse", the root of the mean square of all differences, both in units of the values (0 to 255
-    for bytes); or "ssim", what the structural similarity lacks to 1 (VTK 9.2 or newer). With a
+    for bytes); or "ssim", what the structural similarity lacks to 1 (VTK 9.4 or newer). With a
     tolerance of 0 each of them is exact.
     """
     __tracebackhide__ = True
@@ -100,7 +100,7 @@ def _comparison(tolerance, metric):
     if not isinstance(tolerance, numbers.Real) or not 0 <= tolerance < math.inf:
         raise ValueError("the tolerance is %r; it is a number, 0 or larger" % (tolerance,))
     if metric == "ssim" and not vtkLambentImageComparison.HasStructuralSimilarity():
-        raise RuntimeError("this VTK cannot compute the structural similarity; VTK 9.2 can")
+        raise RuntimeError("this VTK cannot compute the structural similarity; VTK 9.4 can")
     comparison = vtkLambentImageComparison()
     comparison.SetMetric(METRICS[metric])
     comparison.SetTolerance(float(tolerance))
