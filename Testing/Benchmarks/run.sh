@@ -19,7 +19,7 @@ compile --target LambentBenchmarks
 # A screen for VTK's OpenGL, which Mesa's llvmpipe draws on two threads.
 screen="$build/screen"
 : >"$screen"
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$screen" >"$build/xvfb.log" 2>&1 &
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$screen" >"$build/xvfb.log" 2>&1 &
 xvfb=$!
 trap 'kill "$xvfb" 2>/dev/null || true' EXIT
 trap 'exit 1' HUP INT TERM
