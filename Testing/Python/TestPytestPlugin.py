@@ -78,6 +78,13 @@ class Verdicts(PytestSuiteTest):
         self.assertIn("box.png (changed)\n", run.text)
         assert_images_equal(path.replace("difference", "picture"), baseline)
 
+    def test_on_a_build_server_pytest_repeats_what_failed(self):
+        self.write_tests(BOX)
+        self.run_pytest("--lambent-update")
+        run = self.run_pytest(LENGTH="1.5", CI="true", status=1)
+        baseline = os.path.join(self.suite, "baselines", "box.png")
+        self.assertEqual(set(run.paths("baseline")), {baseline})
+
     def test_what_passes_is_not_written_again(self):
         self.write_tests("""
             def test_box():

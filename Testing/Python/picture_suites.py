@@ -42,6 +42,10 @@ BOX = """
     """
 
 
+# Variables of build servers and terminals for which pytest writes more, or in other lines.
+TALKATIVE = ("CI", "BUILD_NUMBER", "COLUMNS", "LINES", "PY_COLORS", "FORCE_COLOR", "NO_COLOR")
+
+
 class Outcome:
     """What a run has written, without colours, and how it ended."""
 
@@ -78,7 +82,8 @@ class SuiteTest(unittest.TestCase):
     def run_python(self, *arguments, **variables):
         """Run Python in the folder of the suite."""
         environment = {name: value for name, value in os.environ.items()
-                       if not name.startswith(("PYTEST", "LAMBENT", "DISPLAY"))}
+                       if not name.startswith(("PYTEST", "LAMBENT", "DISPLAY"))
+                       and name not in TALKATIVE}
         environment.update(variables, PYTHONDONTWRITEBYTECODE="1", TMPDIR=self.folder)
         environment["PYTHONPATH"] = os.pathsep.join(
             [self.suite] + os.environ.get("PYTHONPATH", "").split(os.pathsep))
