@@ -5,9 +5,8 @@
  * @brief which triangles each cell has to test, and what is known to be hit
  *
  * Each worker fills bins of its own, without a lock. A bin is a list of pages, so that
- * it grows without moving what it holds and an empty one costs a
- * pointer. The order in which things stand in a bin is left to chance; the nearest
- * hit does not depend on it.
+ * it grows without moving what it holds and an empty one costs a pointer. The order in
+ * which things stand in a bin is left to chance; the nearest hit does not depend on it.
  */
 #ifndef lambent_Bins_h
 #define lambent_Bins_h

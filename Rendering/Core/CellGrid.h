@@ -55,9 +55,8 @@ public:
     }
   }
 
-  /// A finest cell's rays are numbered row by row, 2^rayShift() a row: at least as
-  /// many as the widest vector has that kernels use.
-  int rayShift() const { return std::max(3, this->Levels[0].shift); }
+  /// A finest cell's rays are numbered row by row, 2^rayShift() a row.
+  int rayShift() const { return this->Levels[0].shift; }
 
   const Window& whole() const { return this->Whole; }
   const std::vector<Level>& levels() const { return this->Levels; }
