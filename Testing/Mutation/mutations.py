@@ -14,6 +14,7 @@ LATTICE = "Rendering/Core/PointLattice.cxx"
 LATTICE_KERNEL = "Rendering/Core/LatticeKernel.cxx"
 COVERAGE = "Rendering/Core/CoverageKernel.cxx"
 CASTING = "Rendering/Core/Casting.cxx"
+EDGES = "Rendering/Core/EdgeFunctions.h"
 SETUP = "Rendering/Core/CastingSetup.h"
 EXACT = "Rendering/Core/ExactRow.h"
 RAYS = "Rendering/Core/CellRays.h"
@@ -92,12 +93,12 @@ MUTATIONS = [
      "ranges of nearness hold the nearness"),
     (CASTING, "if (hit.nearness.low > rays.highs()[hit.ray])",
      "if (hit.nearness.low > rays.lows()[hit.ray])", "ranges that overlap are settled"),
-    (SETUP, "scaled(products, std::ldexp(1.0, -46))", "scaled(products, std::ldexp(1.0, -90))",
+    (EDGES, "scaled(products, std::ldexp(1.0, -46))", "scaled(products, std::ldexp(1.0, -90))",
      "errors of edge functions"),
     (SETUP, "hn::IfThenElse(isSteady, scaled(spread, 1.001), hn::Set(d, 1e35))",
      "hn::IfThenElse(isSteady, hn::Zero(d), hn::Set(d, 1e35))",
      "the range of nearness at a ray has a width"),
-    (SETUP, "hn::Sub(middle, reach), hn::Add(middle, reach)",
+    (EDGES, "hn::Sub(middle, reach), hn::Add(middle, reach)",
      "hn::Sub(middle, reach), hn::Sub(middle, reach)", "extremes over a box"),
     (EXACT, "hn::Le(hn::Max(hn::Max(e0, e1), e2), zero)",
      "hn::Lt(hn::Max(hn::Max(e0, e1), e2), zero)", "the kernel's edges belong to the back"),

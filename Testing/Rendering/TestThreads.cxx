@@ -3,6 +3,7 @@
 // The same bits on every backend of vtkSMPTools and for every number of threads, and
 // no memory left behind. Others were told of pictures that differ: mitsuba-renderer/mitsuba#184,
 // POV-Ray/povray#350.
+#include "Backends.h"
 #include "Meshes.h"
 
 #include "vtkSMPTools.h"
@@ -29,26 +30,6 @@ void setUp(Studio& studio, int resolution)
   studio.tracer->AddLight(makeLight({ -2.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }, { 0.2, 0.3, 0.7 }));
 }
 
-/// Those that this VTK was built with.
-std::vector<std::string> backends()
-{
-  return
-  {
-#if VTK_SMP_ENABLE_SEQUENTIAL
-    "Sequential",
-#endif
-#if VTK_SMP_ENABLE_STDTHREAD
-      "STDThread",
-#endif
-#if VTK_SMP_ENABLE_TBB
-      "TBB",
-#endif
-#if VTK_SMP_ENABLE_OPENMP
-      "OpenMP",
-#endif
-  };
-}
-
 /// Bytes of memory in use, 0 where that is not known.
 double residentMemory()
 {
@@ -69,7 +50,7 @@ TEST(Threads, GiveTheSameBits)
   Studio studio(321, 243);
   setUp(studio, 60);
   std::string expected;
-  for (const std::string& backend : backends())
+  for (const std::string& backend : smpBackends())
   {
     for (int threads : { 1, 2, 3, 8 })
     {
@@ -139,7 +120,7 @@ TEST(Threads, SeveralFiltersAtTheSameTime)
 // A process that comes from fork() has the backend, but none of its threads.
 TEST(Threads, WorkAfterFork)
 {
-  for (const std::string& backend : backends())
+  for (const std::string& backend : smpBackends())
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, backend, false },
       [&]()

@@ -88,14 +88,8 @@ Picture draw(const Stage& stage, const Manner& manner)
   {
     scene.camera = framed(stage, scene, parallel);
   }
-  Picture picture;
-  picture.width = stage.width;
-  picture.height = stage.height;
-  picture.floats.resize(3u * stage.width * stage.height);
-  picture.bytes.resize(picture.floats.size());
-  const lambent::Window whole{ 0, stage.width, 0, stage.height };
-  for (const lambent::Window& part :
-    manner.inParts ? partsOf(stage.width, stage.height) : std::vector<lambent::Window>{ whole })
+  Picture picture(stage);
+  for (const lambent::Window& part : partsOf(stage, manner))
   {
     drawPart(scene, part, parallel, manner.byBruteForce, picture);
   }

@@ -17,8 +17,13 @@ void shuffle(std::vector<Item>& items, RandomNumbers& random)
 }
 }
 
-std::vector<lambent::Window> partsOf(int width, int height)
+std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner)
 {
+  const int width = stage.width, height = stage.height;
+  if (!manner.inParts)
+  {
+    return { { 0, width, 0, height } };
+  }
   std::vector<lambent::Window> parts;
   int rows = 1;
   for (int j = 0; j < height; j += rows, rows = 2 * rows + 1)

@@ -33,6 +33,15 @@ struct Manner
 /// Rows from the bottom, three channels a pixel.
 struct Picture
 {
+  Picture() = default;
+  explicit Picture(const Stage& stage)
+    : width(stage.width)
+    , height(stage.height)
+    , floats(3u * stage.width * stage.height)
+    , bytes(floats.size())
+  {
+  }
+
   int width = 0, height = 0;
   std::vector<float> floats;
   std::vector<unsigned char> bytes;
@@ -44,8 +53,8 @@ Picture draw(const Stage& stage, const Manner& manner);
 /// The backends of threads that this program has.
 std::vector<std::string> backendsHere();
 
-/// The windows that an image falls into, of uneven sizes.
-std::vector<lambent::Window> partsOf(int width, int height);
+/// The windows that the image is drawn in: all of it, or parts of uneven sizes.
+std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner);
 
 /// Copies a part into its place in the whole.
 template <typename Channel>

@@ -4,6 +4,8 @@
 #include "Drawing.h"
 #include "StageToVTK.h"
 
+#include "../Rendering/Backends.h"
+
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
@@ -84,14 +86,8 @@ Picture drawHere(const Stage& stage, const Manner& manner)
 {
   vtkNew<vtkLambentRayTracer> tracer;
   setUp(stage, manner, tracer);
-  Picture picture;
-  picture.width = stage.width;
-  picture.height = stage.height;
-  picture.floats.resize(3u * stage.width * stage.height);
-  picture.bytes.resize(picture.floats.size());
-  const lambent::Window whole{ 0, stage.width, 0, stage.height };
-  for (const lambent::Window& part :
-    manner.inParts ? partsOf(stage.width, stage.height) : std::vector<lambent::Window>{ whole })
+  Picture picture(stage);
+  for (const lambent::Window& part : partsOf(stage, manner))
   {
     fetch(tracer, VTK_FLOAT, part, stage, picture.floats);
     fetch(tracer, VTK_UNSIGNED_CHAR, part, stage, picture.bytes);
@@ -123,19 +119,5 @@ Picture draw(const Stage& stage, const Manner& manner)
 
 std::vector<std::string> backendsHere()
 {
-  return
-  {
-#if VTK_SMP_ENABLE_SEQUENTIAL
-    "Sequential",
-#endif
-#if VTK_SMP_ENABLE_STDTHREAD
-      "STDThread",
-#endif
-#if VTK_SMP_ENABLE_TBB
-      "TBB",
-#endif
-#if VTK_SMP_ENABLE_OPENMP
-      "OpenMP",
-#endif
-  };
+  return smpBackends();
 }

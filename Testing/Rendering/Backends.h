@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the backends that this vtkSMPTools was built with
+ */
+#ifndef Backends_h
+#define Backends_h
+
+#include "vtkSMP.h" // For VTK_SMP_ENABLE_...
+
+#include <string>
+#include <vector>
+
+inline std::vector<std::string> smpBackends()
+{
+  return
+  {
+#if VTK_SMP_ENABLE_SEQUENTIAL
+    "Sequential",
+#endif
+#if VTK_SMP_ENABLE_STDTHREAD
+      "STDThread",
+#endif
+#if VTK_SMP_ENABLE_TBB
+      "TBB",
+#endif
+#if VTK_SMP_ENABLE_OPENMP
+      "OpenMP",
+#endif
+  };
+}
+
+#endif
