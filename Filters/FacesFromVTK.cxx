@@ -58,7 +58,8 @@ FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& paral
   for (int i = 0; i < 4; ++i)
   {
     lists[i] = this->Spans.cells(arrays[i]);
-    checked[i] = lambent::checkCells(lists[i], this->Faces.points.size, parallel);
+    checked[i] = lambent::checkCells(
+      lists[i], this->Faces.points.size, lambent::Share(parallel, 0.1 * i, 0.1 * (i + 1)));
     if (const lambent::CellDefect& defect = checked[i].defect)
     {
       refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Faces.points.size);
@@ -72,19 +73,20 @@ FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& paral
   this->Faces.blocks = std::move(checked[2].blocks);
   if (lambent::cellCount(strips) > 0)
   {
-    this->Merged = lambent::mergeFaces(polygons, strips);
-    this->setCells(this->Merged.span(), parallel);
+    this->Merged = lambent::mergeFaces(polygons, strips, lambent::Share(parallel, 0.4, 0.6));
+    this->setCells(this->Merged.span(), lambent::Share(parallel, 0.6, 0.7));
   }
-  this->markNonFinite(
-    polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(), parallel);
+  this->markNonFinite(polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(),
+    lambent::Share(parallel, 0.7, 1.0));
 }
 
 void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
   vtkIdType firstPolygon, const lambent::Parallel& parallel)
 {
-  std::vector<unsigned char> cells = lambent::findNonFinite(this->Faces.points, polygons, parallel);
+  std::vector<unsigned char> cells =
+    lambent::findNonFinite(this->Faces.points, polygons, lambent::Share(parallel, 0.0, 0.5));
   const std::vector<unsigned char> ofStrips =
-    lambent::findNonFinite(this->Faces.points, strips, parallel);
+    lambent::findNonFinite(this->Faces.points, strips, lambent::Share(parallel, 0.5, 1.0));
   cells.insert(cells.end(), ofStrips.begin(), ofStrips.end());
   const auto first = std::find(cells.begin(), cells.end(), 1);
   if (first == cells.end())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataRewrite.h"
 
+#include "Chunks.h"
 #include "FacesFromVTK.h"
 
 #include "vtkAbstractArray.h"
@@ -28,14 +29,19 @@ vtkSmartPointer<vtkIdList> consecutiveIds(vtkIdType first, vtkIdType count)
   return ids;
 }
 
-vtkSmartPointer<vtkTypeInt64Array> toArray(const lambent::IndexSpan& indices)
+vtkSmartPointer<vtkTypeInt64Array> toArray(
+  const lambent::IndexSpan& indices, const lambent::Parallel& parallel)
 {
   auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
   array->SetNumberOfValues(static_cast<vtkIdType>(indices.size));
-  for (std::size_t i = 0; i < indices.size; ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(indices[i]));
-  }
+  lambent::forEachPart(parallel, indices.size,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(indices[i]));
+      }
+    });
   return array;
 }
 
@@ -90,8 +96,8 @@ void copyPoints(
   copyTuples(output->GetPointData(), sources);
 }
 
-void setPolygons(
-  const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity, vtkPolyData* output)
+void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity,
+  vtkPolyData* output, const lambent::Parallel& parallel)
 {
   const lambent::CellSpan& cells = mesh.faces().cells;
   const auto faces = static_cast<vtkIdType>(lambent::cellCount(cells));
@@ -111,10 +117,12 @@ void setPolygons(
   vtkNew<vtkCellArray> polygons;
   if (faces > 0)
   {
+    const auto offsets = toArray(cells.offsets, lambent::Share(parallel, 0.0, 0.3));
     const bool isReplaced = !connectivity.empty();
-    polygons->SetData(toArray(cells.offsets),
+    polygons->SetData(offsets,
       toArray(isReplaced ? lambent::IndexSpan{ connectivity.data(), true, connectivity.size() }
-                         : cells.connectivity));
+                         : cells.connectivity,
+        lambent::Share(parallel, 0.3, 1.0)));
   }
   output->SetPolys(polygons);
   // What a shallow copy shares with the input, and what described the old cells.
@@ -122,11 +130,15 @@ void setPolygons(
   output->DeleteLinks();
 }
 
-void reversePolygons(vtkPolyData* output)
+void reversePolygons(vtkPolyData* output, const lambent::Parallel& parallel)
 {
   vtkCellArray* polygons = output->GetPolys();
-  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
-  {
-    polygons->ReverseCellAtId(i);
-  }
+  lambent::forEachPart(parallel, static_cast<std::size_t>(polygons->GetNumberOfCells()),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        polygons->ReverseCellAtId(static_cast<vtkIdType>(i));
+      }
+    });
 }

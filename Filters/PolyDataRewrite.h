@@ -17,16 +17,21 @@
 class FacesFromVTK;
 class vtkPolyData;
 
+namespace lambent
+{
+class Parallel;
+}
+
 /// Append a copy of each of these points of the input, with its point data.
 void copyPoints(
   vtkPolyData* input, const std::vector<std::int64_t>& copiedPoints, vtkPolyData* output);
 
 /// Make the faces of the mesh the output's polygons, with another connectivity of the
 /// same length unless that is empty. No strips are left; cell data follows.
-void setPolygons(
-  const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity, vtkPolyData* output);
+void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity,
+  vtkPolyData* output, const lambent::Parallel& parallel);
 
 /// Let the points of each polygon run the other way. Only after setPolygons().
-void reversePolygons(vtkPolyData* output);
+void reversePolygons(vtkPolyData* output, const lambent::Parallel& parallel);
 
 #endif

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambentNormals.h"
 
-#include "Abort.h"
+#include "Chunks.h"
 #include "FacesFromVTK.h"
 #include "PolyDataRewrite.h"
-#include "SMPParallel.h"
 #include "SharpEdges.h"
+#include "WatchedParallel.h"
 
 #include "vtkCellData.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -80,12 +80,14 @@ int vtkLambentNormals::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   try
   {
-    if (!this->Execute(vtkPolyData::GetData(inputs[0]), output))
-    {
-      // Aborted. The executive shall not take the empty output for an up-to-date one.
-      output->Initialize();
-      outputs->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    }
+    this->Execute(vtkPolyData::GetData(inputs[0]), output);
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    // The executive shall not take the empty output for an up-to-date one.
+    output->Initialize();
+    outputs->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     return 1;
   }
   catch (const std::bad_alloc&)
@@ -103,28 +105,16 @@ int vtkLambentNormals::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
+void vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
 {
-  const SMPParallel parallel;
-  const auto goOn = [this](double progress)
-  {
-    this->UpdateProgress(progress);
-    return !isAborted(this);
-  };
+  const WatchedParallel parallel(this);
+  parallel.checkAbort(); // by who was told that it begins
 
-  if (isAborted(this)) // by who was told that it begins
-  {
-    return false;
-  }
   output->ShallowCopy(input);
-  FacesFromVTK mesh(input, parallel);
+  FacesFromVTK mesh(input, lambent::Share(parallel, 0.0, 0.2));
   if (!mesh.warning().empty())
   {
     vtkWarningMacro(<< mesh.warning());
-  }
-  if (!goOn(0.2))
-  {
-    return false;
   }
 
   if (this->Splitting || this->FlipNormals || (this->ComputeCellNormals && mesh.hasStrips()))
@@ -132,36 +122,29 @@ bool vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
     lambent::SplitMesh split;
     if (this->Splitting)
     {
-      split = lambent::splitSharpEdges(mesh.faces(), this->FeatureAngle, parallel);
+      split = lambent::splitSharpEdges(
+        mesh.faces(), this->FeatureAngle, lambent::Share(parallel, 0.2, 0.4));
       copyPoints(input, split.copiedPoints, output);
     }
-    setPolygons(mesh, split.connectivity, output);
-    mesh.refer(output, parallel);
-  }
-  if (!goOn(0.4))
-  {
-    return false;
+    setPolygons(mesh, split.connectivity, output, lambent::Share(parallel, 0.4, 0.45));
+    mesh.refer(output, lambent::Share(parallel, 0.45, 0.5));
   }
 
   const float sign = this->FlipNormals ? -1.0f : 1.0f;
   if (this->ComputePointNormals)
   {
-    addPointNormals(
-      output, mesh.faces(), static_cast<lambent::Weighting>(this->Weighting), sign, parallel);
-  }
-  if (!goOn(0.9))
-  {
-    return false;
+    addPointNormals(output, mesh.faces(), static_cast<lambent::Weighting>(this->Weighting), sign,
+      lambent::Share(parallel, 0.5, 0.8));
   }
   if (this->ComputeCellNormals)
   {
-    addCellNormals(output, mesh.faces(), sign, parallel);
+    addCellNormals(output, mesh.faces(), sign, lambent::Share(parallel, 0.8, 0.9));
   }
   if (this->FlipNormals)
   {
-    reversePolygons(output);
+    reversePolygons(output, lambent::Share(parallel, 0.9, 1.0));
   }
-  return goOn(1.0);
+  parallel.checkpoint(1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -179,7 +179,7 @@ private:
   vtkLambentNormals(const vtkLambentNormals&) = delete;
   void operator=(const vtkLambentNormals&) = delete;
 
-  bool Execute(vtkPolyData* input, vtkPolyData* output);
+  void Execute(vtkPolyData* input, vtkPolyData* output);
 };
 
 #endif

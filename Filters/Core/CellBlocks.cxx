@@ -82,7 +82,7 @@ bool summarize(
 bool arePointsFinite(const TupleSpan& points, const Parallel& parallel)
 {
   std::atomic<bool> result{ true };
-  forEachChunk(parallel, points.size, PointsPerChunk,
+  forEachChunk<PointsPerChunk>(parallel, points.size,
     [&](std::size_t begin, std::size_t end)
     {
       const std::size_t first = 3 * begin;
@@ -106,7 +106,7 @@ CheckedCells checkCells(const CellSpan& cells, std::size_t pointCount, const Par
   visit(cells,
     [&](auto view)
     {
-      forEachChunk(parallel, count, CellsPerBlock,
+      forEachChunk<CellsPerBlock>(parallel, count,
         [&](std::size_t begin, std::size_t end)
         {
           CellBlock& block = result.blocks[begin / CellsPerBlock];
@@ -129,7 +129,7 @@ std::vector<unsigned char> findNonFinite(
   const TupleSpan& points, const CellSpan& cells, const Parallel& parallel)
 {
   std::vector<unsigned char> result;
-  if (arePointsFinite(points, parallel))
+  if (cellCount(cells) == 0 || arePointsFinite(points, parallel))
   {
     return result;
   }
@@ -137,12 +137,16 @@ std::vector<unsigned char> findNonFinite(
   visit(cells,
     [&](auto view)
     {
-      for (std::size_t cell = 0; cell < cellCount(cells); ++cell)
-      {
-        const auto corners = view.cell(cell);
-        result[cell] = !std::all_of(
-          corners, corners + view.cellSize(cell), [&](auto id) { return isFinite(points[id]); });
-      }
+      forEachChunk<CellsPerBlock>(parallel, cellCount(cells),
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t cell = begin; cell < end; ++cell)
+          {
+            const auto corners = view.cell(cell);
+            result[cell] = !std::all_of(corners, corners + view.cellSize(cell),
+              [&](auto id) { return isFinite(points[id]); });
+          }
+        });
     });
   return result;
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a parallel loop over pieces of a range
+ * @brief loops over pieces of a range, with checkpoints between parts of it
+ *
+ * A part takes some ten milliseconds at most, so that who watches the work sees it go on
+ * and can stop it.
  */
 #ifndef lambent_Chunks_h
 #define lambent_Chunks_h
@@ -14,21 +17,64 @@
 
 namespace lambent
 {
+/// How many points or faces are gone through between two checkpoints.
+constexpr std::size_t itemsPerPart = 256 * 1024;
+
 inline std::size_t chunkCount(std::size_t count, std::size_t chunkSize)
 {
   return (count + chunkSize - 1) / chunkSize;
 }
 
-/// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up
-/// to count, in any order.
-template <typename Body>
-void forEachChunk(const Parallel& parallel, std::size_t count, std::size_t chunkSize, Body&& body)
+/// A share of some work: its checkpoints, from 0 to 1, lie between two of the whole's.
+class Share : public Parallel
 {
-  forEach(parallel, 0, chunkCount(count, chunkSize),
-    [&](int, std::size_t chunk)
+public:
+  Share(const Parallel& whole, double begin, double end)
+    : Whole(whole)
+    , Begin(begin)
+    , End(end)
+  {
+  }
+
+  int workers() const override { return this->Whole.workers(); }
+  void run(const std::function<void(int worker)>& body) const override { this->Whole.run(body); }
+  void checkpoint(double done) const override
+  {
+    this->Whole.checkpoint(this->Begin + done * (this->End - this->Begin));
+  }
+
+private:
+  const Parallel& Whole;
+  const double Begin, End;
+};
+
+/// Calls body(begin, end) for one part of [0, count) after the other.
+template <typename Body>
+void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
+{
+  for (std::size_t begin = 0; begin < count; begin += itemsPerPart)
+  {
+    const std::size_t end = std::min(count, begin + itemsPerPart);
+    body(begin, end);
+    parallel.checkpoint(static_cast<double>(end) / static_cast<double>(count));
+  }
+}
+
+/// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up
+/// to count, in any order. A part is a number of whole chunks.
+template <std::size_t chunkSize, typename Body>
+void forEachChunk(const Parallel& parallel, std::size_t count, Body&& body)
+{
+  static_assert(itemsPerPart % chunkSize == 0);
+  forEachPart(parallel, count,
+    [&](std::size_t partBegin, std::size_t partEnd)
     {
-      const std::size_t begin = chunk * chunkSize;
-      body(begin, std::min(count, begin + chunkSize));
+      forEach(parallel, partBegin / chunkSize, chunkCount(partEnd, chunkSize),
+        [&](int, std::size_t chunk)
+        {
+          const std::size_t begin = chunk * chunkSize;
+          body(begin, std::min(count, begin + chunkSize));
+        });
     });
 }
 }

@@ -12,6 +12,7 @@
 #define lambent_MergedFaces_h
 
 #include "CellView.h"
+#include "Parallel.h"
 
 #include <cstdint>
 #include <vector>
@@ -32,7 +33,7 @@ struct MergedFaces
   }
 };
 
-MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips);
+MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips, const Parallel& parallel);
 }
 
 #endif

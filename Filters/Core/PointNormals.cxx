@@ -7,6 +7,7 @@
 #include "VectorTarget.h"
 
 #include <algorithm>
+#include <atomic>
 #include <type_traits>
 
 namespace lambent
@@ -74,50 +75,25 @@ void addFace(const Points& points, const Id* corners, std::size_t size, std::vec
   }
 }
 
-/// Goes through the faces for one range of points after the other.
+/// Adds the faces of a block to the sums of a range of points.
 template <Weighting weighting, typename Points, typename Cells>
-class Summation
+void addBlock(const Faces& faces, const Points& points, const Cells& cells, const CellBlock& block,
+  bool useKernels, PointSums& sums)
 {
-public:
-  Summation(const Faces& faces, const Points& points, const Cells& cells)
-    : AllFaces(faces)
-    , AllPoints(points)
-    , AllCells(cells)
+  std::size_t face = block.begin;
+  if (useKernels && block.hasOnlyTriangles && faces.skip.empty())
   {
+    face += addTriangles(weighting, faces.points, cells.cell(face), block.end - block.begin, sums);
   }
-
-  void addUp(PointSums& sums, bool useKernels) const
+  std::vector<std::decay_t<decltype(*cells.corners)>> scratch;
+  for (; face < block.end; ++face)
   {
-    std::vector<std::decay_t<decltype(*this->AllCells.corners)>> scratch;
-    const std::int64_t end = sums.begin() + static_cast<std::int64_t>(sums.size());
-    for (const CellBlock& block : this->AllFaces.blocks)
+    if (!faces.isSkipped(face))
     {
-      if (!block.touches(sums.begin(), end))
-      {
-        continue;
-      }
-      std::size_t face = block.begin;
-      if (useKernels && block.hasOnlyTriangles && this->AllFaces.skip.empty())
-      {
-        face += addTriangles(weighting, this->AllFaces.points, this->AllCells.cell(face),
-          block.end - block.begin, sums);
-      }
-      for (; face < block.end; ++face)
-      {
-        if (!this->AllFaces.isSkipped(face))
-        {
-          addFace<weighting>(this->AllPoints, this->AllCells.cell(face),
-            this->AllCells.cellSize(face), scratch, sums);
-        }
-      }
+      addFace<weighting>(points, cells.cell(face), cells.cellSize(face), scratch, sums);
     }
   }
-
-private:
-  const Faces& AllFaces;
-  const Points& AllPoints;
-  const Cells& AllCells;
-};
+}
 
 void writeNormal(const Vec3& sum, float sign, float* normal)
 {
@@ -141,24 +117,118 @@ void writeNormals(const PointSums& sums, float sign, bool useKernels, float* nor
   }
 }
 
+/// Step 2 and 3 of the header, by all workers. Each stops now and then, wherever it is on
+/// its way through the blocks, so that there can be a checkpoint.
+template <Weighting weighting, typename Points, typename Cells>
+class Summation
+{
+public:
+  Summation(const Faces& faces, const Points& points, const Cells& cells, float sign,
+    const Parallel& parallel, float* normals)
+    : AllFaces(faces)
+    , AllPoints(points)
+    , AllCells(cells)
+    , Sign(sign)
+    , Workers(parallel)
+    , Normals(normals)
+    , Ranges(countRanges(faces.blocks, faces.points.size, parallel))
+    , Walks(static_cast<std::size_t>(parallel.workers()))
+  {
+  }
+
+  void run()
+  {
+    while (this->FinishedRanges < this->Ranges)
+    {
+      forEach(this->Workers, 0, this->Walks.size(),
+        [this](int, std::size_t i) { this->goOn(this->Walks[i]); });
+      this->Workers.checkpoint(this->done());
+    }
+  }
+
+private:
+  /// Through all blocks for one range of points.
+  struct Walk
+  {
+    PointSums sums;
+    bool hasRange = false;
+    std::size_t nextBlock = 0;
+  };
+
+  void goOn(Walk& walk)
+  {
+    std::size_t faces = 0;
+    while (faces < itemsPerPart && (walk.hasRange || this->takeRange(walk)))
+    {
+      if (walk.nextBlock == this->AllFaces.blocks.size())
+      {
+        this->finish(walk);
+        continue;
+      }
+      const CellBlock& block = this->AllFaces.blocks[walk.nextBlock++];
+      if (block.touches(walk.sums.begin(), walk.sums.end()))
+      {
+        addBlock<weighting>(
+          this->AllFaces, this->AllPoints, this->AllCells, block, this->UseKernels, walk.sums);
+        faces += block.end - block.begin;
+      }
+    }
+  }
+
+  bool takeRange(Walk& walk)
+  {
+    const std::size_t range = this->NextRange++;
+    walk.hasRange = range < this->Ranges;
+    if (walk.hasRange)
+    {
+      const std::size_t points = this->AllFaces.points.size;
+      walk.sums.reset(
+        rangeBegin(points, range, this->Ranges), rangeBegin(points, range + 1, this->Ranges));
+    }
+    return walk.hasRange;
+  }
+
+  void finish(Walk& walk)
+  {
+    writeNormals(walk.sums, this->Sign, this->UseKernels, this->Normals);
+    walk.hasRange = false;
+    walk.nextBlock = 0;
+    ++this->FinishedRanges;
+  }
+
+  double done() const
+  {
+    double ranges = static_cast<double>(this->FinishedRanges);
+    for (const Walk& walk : this->Walks)
+    {
+      ranges +=
+        static_cast<double>(walk.nextBlock) / static_cast<double>(this->AllFaces.blocks.size() + 1);
+    }
+    return ranges / static_cast<double>(this->Ranges);
+  }
+
+  const Faces& AllFaces;
+  const Points& AllPoints;
+  const Cells& AllCells;
+  const float Sign;
+  const Parallel& Workers;
+  float* const Normals;
+  const bool UseKernels = areVectorsInUse();
+  const std::size_t Ranges;
+  std::vector<Walk> Walks; ///< one a worker
+  std::atomic<std::size_t> NextRange{ 0 };
+  std::atomic<std::size_t> FinishedRanges{ 0 };
+};
+
 template <Weighting weighting>
 void sumUp(const Faces& faces, float sign, const Parallel& parallel, float* normals)
 {
-  const bool useKernels = areVectorsInUse();
-  const std::size_t ranges = countRanges(faces.blocks, faces.points.size, parallel);
-  std::vector<PointSums> sums(static_cast<std::size_t>(parallel.workers()));
   visit(faces.points, faces.cells,
     [&](auto points, auto cells)
     {
-      const Summation<weighting, decltype(points), decltype(cells)> summation(faces, points, cells);
-      forEach(parallel, 0, ranges,
-        [&](int worker, std::size_t i)
-        {
-          sums[worker].reset(
-            rangeBegin(faces.points.size, i, ranges), rangeBegin(faces.points.size, i + 1, ranges));
-          summation.addUp(sums[worker], useKernels);
-          writeNormals(sums[worker], sign, useKernels, normals);
-        });
+      Summation<weighting, decltype(points), decltype(cells)>(
+        faces, points, cells, sign, parallel, normals)
+        .run();
     });
 }
 }

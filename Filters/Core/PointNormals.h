@@ -58,7 +58,7 @@ void visitFaceNormals(const Faces& faces, const Parallel& parallel, Body&& body)
   visit(faces.points, faces.cells,
     [&](auto points, auto cells)
     {
-      forEachChunk(parallel, cellCount(faces.cells), facesPerChunk,
+      forEachChunk<facesPerChunk>(parallel, cellCount(faces.cells),
         [&](std::size_t begin, std::size_t end)
         {
           for (std::size_t face = begin; face < end; ++face)

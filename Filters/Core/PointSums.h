@@ -33,6 +33,7 @@ public:
   }
 
   std::int64_t begin() const { return this->Begin; }
+  std::int64_t end() const { return this->Begin + static_cast<std::int64_t>(this->size()); }
   /// How many points.
   std::size_t size() const { return this->Sums.size() - 1; }
   PointSum* data() { return this->Sums.data(); }

@@ -5,6 +5,7 @@
 #include "Elementary.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace lambent
@@ -12,6 +13,13 @@ namespace lambent
 namespace
 {
 constexpr std::size_t PointsPerChunk = 2048;
+
+/// Large arrays are not vectors: those would write all of it twice, the first time in one go.
+template <typename Item>
+std::unique_ptr<Item[]> makeUnwritten(std::size_t count)
+{
+  return std::unique_ptr<Item[]>(new Item[count]);
+}
 
 struct Corner
 {
@@ -23,31 +31,40 @@ struct Corner
 struct CornersOfPoints
 {
   std::vector<std::int64_t> begin;
-  std::vector<Corner> corners;
+  std::unique_ptr<Corner[]> corners;
+  std::size_t cornerCount = 0;
 };
 
-CornersOfPoints listCorners(const Faces& faces)
+CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
 {
   CornersOfPoints result;
   result.begin.assign(faces.points.size + 1, 0);
   visit(faces.cells,
     [&](auto cells)
     {
+      const auto first = cells.offsets[0];
       const auto count = cells.offsets[cellCount(faces.cells)];
-      result.corners.resize(static_cast<std::size_t>(count));
-      for (auto i = cells.offsets[0]; i < count; ++i)
-      {
-        ++result.begin[cells.corners[i] + 1];
-      }
+      result.cornerCount = static_cast<std::size_t>(count);
+      result.corners = makeUnwritten<Corner>(result.cornerCount);
+      forEachPart(Share(parallel, 0.0, 0.3), static_cast<std::size_t>(count - first),
+        [&](std::size_t begin, std::size_t end)
+        {
+          std::for_each(cells.corners + first + begin, cells.corners + first + end,
+            [&](auto point) { ++result.begin[point + 1]; });
+        });
       std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
       std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
-      for (std::size_t face = 0; face < cellCount(faces.cells); ++face)
-      {
-        for (auto i = cells.offsets[face]; i < cells.offsets[face + 1]; ++i)
+      forEachPart(Share(parallel, 0.3, 1.0), cellCount(faces.cells),
+        [&](std::size_t begin, std::size_t end)
         {
-          result.corners[next[cells.corners[i]]++] = { static_cast<std::int64_t>(face), i };
-        }
-      }
+          for (std::size_t face = begin; face < end; ++face)
+          {
+            for (auto i = cells.offsets[face]; i < cells.offsets[face + 1]; ++i)
+            {
+              result.corners[next[cells.corners[i]]++] = { static_cast<std::int64_t>(face), i };
+            }
+          }
+        });
     });
   return result;
 }
@@ -69,7 +86,7 @@ struct Side
 class Grouping
 {
 public:
-  Grouping(const std::vector<Vec3>& faceNormals, double featureAngle)
+  Grouping(const Vec3* faceNormals, double featureAngle)
     : FaceNormals(faceNormals)
     , Cosine(cosDegrees(featureAngle))
     , NothingIsSharp(featureAngle >= 180.0)
@@ -167,7 +184,7 @@ private:
     return groups;
   }
 
-  const std::vector<Vec3>& FaceNormals;
+  const Vec3* const FaceNormals;
   const double Cosine;
   const bool NothingIsSharp;
   std::vector<Side> Sides;
@@ -176,27 +193,27 @@ private:
 };
 
 /// The group of each listed corner, and in copyCount[p + 1] how many copies p needs.
-std::vector<int> groupCorners(const Faces& faces, const CornersOfPoints& points,
+std::unique_ptr<int[]> groupCorners(const Faces& faces, const CornersOfPoints& points,
   double featureAngle, const Parallel& parallel, std::vector<std::int64_t>& copyCount)
 {
-  std::vector<Vec3> normals(cellCount(faces.cells));
-  visitFaceNormals(
-    faces, parallel, [&](std::size_t face, const Vec3& normal) { normals[face] = normal; });
+  const auto normals = makeUnwritten<Vec3>(cellCount(faces.cells));
+  visitFaceNormals(faces, Share(parallel, 0.0, 0.2),
+    [&](std::size_t face, const Vec3& normal) { normals[face] = normal; });
 
-  std::vector<int> groups(points.corners.size());
+  auto groups = makeUnwritten<int>(points.cornerCount);
   visit(faces.cells,
     [&](auto cells)
     {
-      forEachChunk(parallel, faces.points.size, PointsPerChunk,
+      forEachChunk<PointsPerChunk>(Share(parallel, 0.2, 1.0), faces.points.size,
         [&](std::size_t begin, std::size_t end)
         {
-          Grouping grouping(normals, featureAngle);
+          Grouping grouping(normals.get(), featureAngle);
           for (std::size_t point = begin; point < end; ++point)
           {
             const std::int64_t first = points.begin[point];
             const int count = static_cast<int>(points.begin[point + 1] - first);
             const int found = grouping.findGroups(
-              cells, static_cast<std::int64_t>(point), points.corners.data() + first, count);
+              cells, static_cast<std::int64_t>(point), points.corners.get() + first, count);
             copyCount[point + 1] = std::max(found - 1, 0);
             for (int i = 0; i < count; ++i)
             {
@@ -217,23 +234,28 @@ SplitMesh splitSharpEdges(const Faces& faces, double featureAngle, const Paralle
     return result;
   }
   const std::size_t pointCount = faces.points.size;
-  const CornersOfPoints points = listCorners(faces);
+  const CornersOfPoints points = listCorners(faces, Share(parallel, 0.0, 0.4));
   std::vector<std::int64_t> firstCopy(pointCount + 1, 0);
-  const std::vector<int> groups = groupCorners(faces, points, featureAngle, parallel, firstCopy);
+  const auto groups =
+    groupCorners(faces, points, featureAngle, Share(parallel, 0.4, 0.8), firstCopy);
   std::partial_sum(firstCopy.begin(), firstCopy.end(), firstCopy.begin());
 
-  result.connectivity.resize(points.corners.size());
+  result.connectivity.resize(points.cornerCount);
   result.copiedPoints.resize(static_cast<std::size_t>(firstCopy.back()));
-  for (std::size_t point = 0; point < pointCount; ++point)
-  {
-    std::fill(result.copiedPoints.begin() + firstCopy[point],
-      result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(point));
-    for (std::int64_t i = points.begin[point]; i < points.begin[point + 1]; ++i)
+  forEachChunk<PointsPerChunk>(Share(parallel, 0.8, 1.0), pointCount,
+    [&](std::size_t begin, std::size_t end)
     {
-      result.connectivity[points.corners[i].place] = static_cast<std::int64_t>(
-        groups[i] == 0 ? point : pointCount + firstCopy[point] + groups[i] - 1);
-    }
-  }
+      for (std::size_t point = begin; point < end; ++point)
+      {
+        std::fill(result.copiedPoints.begin() + firstCopy[point],
+          result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(point));
+        for (std::int64_t i = points.begin[point]; i < points.begin[point + 1]; ++i)
+        {
+          result.connectivity[points.corners[i].place] = static_cast<std::int64_t>(
+            groups[i] == 0 ? point : pointCount + firstCopy[point] + groups[i] - 1);
+        }
+      }
+    });
   return result;
 }
 }

@@ -20,7 +20,7 @@
 
 namespace lambent
 {
-/// Runs everything in the calling thread. Override both to run on more.
+/// Runs everything in the calling thread. Override the first two to run on more.
 class Parallel
 {
 public:
@@ -30,6 +30,9 @@ public:
   /// Calls body(worker) once for each worker, at the same time or one after the
   /// other, and returns when all have returned. The body does not throw.
   virtual void run(const std::function<void(int worker)>& body) const { body(0); }
+  /// Called between the parts of long work, by the thread that asked for it, with the
+  /// fraction that is done. It may throw: the work is then given up.
+  virtual void checkpoint(double /*done*/) const {}
 };
 
 /**

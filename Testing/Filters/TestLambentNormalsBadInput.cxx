@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkLambentNormals does with bad, degenerate and empty input, and when it is
-// aborted.
+// What vtkLambentNormals does with bad, degenerate and empty input.
 
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -20,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace
 {
@@ -301,63 +298,5 @@ TEST(LambentNormalsBadInput, NothingGivesNothing)
       valuesOf(normals->GetOutput()->GetPointData()->GetNormals()), std::vector<float>(6, 0.0f));
     EXPECT_TRUE(messages.errors.empty());
     EXPECT_TRUE(messages.warnings.empty());
-  }
-}
-
-TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
-{
-  struct Record
-  {
-    std::vector<double> values;
-    std::thread::id thread = std::this_thread::get_id();
-    bool isElsewhere = false;
-  } record;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&record);
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* client, void* data)
-    {
-      auto* r = static_cast<Record*>(client);
-      r->values.push_back(*static_cast<double*>(data));
-      r->isElsewhere = r->isElsewhere || std::this_thread::get_id() != r->thread;
-    });
-  vtkNew<vtkLambentNormals> normals;
-  normals->AddObserver(vtkCommand::ProgressEvent, observer);
-  normals->SetInputData(makeRandomMesh({}));
-  normals->Update();
-  EXPECT_GE(record.values.size(), 4u);
-  EXPECT_TRUE(std::is_sorted(record.values.begin(), record.values.end()));
-  EXPECT_EQ(record.values.back(), 1.0);
-  EXPECT_FALSE(record.isElsewhere);
-}
-
-TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutput)
-{
-  for (double fraction : { 0.0, 0.1, 0.3, 0.5, 0.95 }) // each of the moments that are told
-  {
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(&fraction);
-    observer->SetCallback(
-      [](vtkObject* caller, unsigned long, void* from, void* data)
-      {
-        if (*static_cast<double*>(data) >= *static_cast<double*>(from))
-        {
-          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-        }
-      });
-    vtkNew<vtkLambentNormals> normals;
-    const Messages messages(normals);
-    const unsigned long tag = normals->AddObserver(vtkCommand::ProgressEvent, observer);
-    normals->ComputeCellNormalsOn();
-    normals->SplittingOn();
-    normals->SetInputData(makeRandomMesh({}));
-    normals->Update();
-    EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0) << fraction;
-    EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0) << fraction;
-    EXPECT_TRUE(messages.errors.empty());
-    normals->RemoveObserver(tag);
-    normals->SetAbortExecute(0);
-    normals->SplittingOff();
-    expectNextGoodUpdateWorks(normals, messages);
   }
 }

@@ -81,7 +81,7 @@ std::vector<Vec3> BodySurface::pointNormals(
   lambent::Weighting how, const lambent::Parallel& parallel) const
 {
   const lambent::MergedFaces merged = this->Kind == lambent::CellKind::Strips
-    ? mergeFaces(lambent::CellSpan(), this->cells())
+    ? mergeFaces(lambent::CellSpan(), this->cells(), lambent::Parallel())
     : lambent::MergedFaces();
   lambent::Faces faces;
   faces.points = this->points();

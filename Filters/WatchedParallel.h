@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief VTK's threads for a filter that tells its progress and can be aborted
+ */
+#ifndef WatchedParallel_h
+#define WatchedParallel_h
+
+#include "Abort.h"
+#include "SMPParallel.h"
+
+/// What a checkpoint throws when the filter shall stop.
+struct Aborted
+{
+};
+
+class WatchedParallel : public SMPParallel
+{
+public:
+  explicit WatchedParallel(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+  }
+
+  void checkpoint(double done) const override
+  {
+    this->Filter->UpdateProgress(done);
+    this->checkAbort();
+  }
+
+  void checkAbort() const
+  {
+    if (isAborted(this->Filter))
+    {
+      throw Aborted();
+    }
+  }
+
+private:
+  vtkAlgorithm* const Filter;
+};
+
+#endif
