@@ -3,6 +3,7 @@
 
 #include "ReportFile.h"
 #include "Messages.h"
+#include "ReportStyle.h"
 
 #include <cctype>
 #include <cerrno>
@@ -17,37 +18,21 @@ namespace lambent::command
 namespace
 {
 
-const char* const Head = R"(<!DOCTYPE html>
-<!-- report of lambent -->
-<html lang="en">
+// What tells such a page: its first two lines.
+const std::string Mark = "<!DOCTYPE html>\n<!-- report of lambent -->\n";
+
+const std::string Head = Mark + R"(<html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
 <title>Pictures and their baselines</title>
 <style>
-:root { color-scheme: light dark; font: 16px/1.5 system-ui, sans-serif; }
-body { margin: 2rem auto; max-width: 84rem; padding: 0 1rem; display: flex; flex-direction: column; }
-h2 { font-size: 1.1rem; margin: 0; overflow-wrap: anywhere; }
-section { border-left: 5px solid; padding: .3rem 1rem; margin: .4rem 0; }
-section.failed { border-color: #c62828; }
-section.passed { border-color: #2e7d32; order: 1; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1.5rem; margin: 1rem 0; }
-figure { margin: 0; max-width: 100%; }
-figcaption { display: flex; justify-content: space-between; font-size: .85rem; }
-img { display: block; width: 100%; image-rendering: pixelated; }
-.slide { position: relative; }
-.slide img + img { position: absolute; top: 0; left: 0; clip-path: inset(0 0 0 50%); }
-.slide + input { width: 100%; margin: .3rem 0; }
-table { border-collapse: collapse; font-size: .9rem; }
-th, td { text-align: right; padding: .1rem .8rem; border-bottom: 1px solid #8886; }
-th:first-child, td:first-child { text-align: left; }
-</style>
+)" +
+  ReportStyle + R"(</style>
 </head>
 <body>
 <h1>Pictures and their baselines</h1>
 )";
-
-constexpr std::size_t HeadStart = 15 + 1 + 26; ///< what tells such a page: its first two lines
 
 /// Whatever the name, one line that no other name has and that HTML takes for a comment.
 std::string Marker(const char* kind, const std::string& name)
@@ -176,7 +161,7 @@ void AddToReport(const std::string& path, const std::string& name, const std::st
     {
       page = Head;
     }
-    if (page.compare(0, HeadStart, Head, HeadStart) != 0)
+    if (page.compare(0, Mark.size(), Mark) != 0)
     {
       throw Failure("it is there, and is no report of lambent; choose another name");
     }

@@ -14,13 +14,18 @@ from .pictures import write_file
 
 def write_report(path, results):
     """Write the report of the results, dictionaries as lambent.testing records them."""
-    with open(os.path.join(os.path.dirname(__file__), "report.html"), encoding="utf-8") as file:
-        page = string.Template(file.read())
+    page = string.Template(_text("report.html"))
     failed = sum(result["outcome"] == "failed" for result in results)
     content = page.substitute(
+        style=_text("report.css"),
         summary="%d of %d pictures differ" % (failed, len(results)),
         sections="\n".join(map(_section, results)))
     write_file(path, content.encode("utf-8"))
+
+
+def _text(name):
+    with open(os.path.join(os.path.dirname(__file__), name), encoding="utf-8") as file:
+        return file.read()
 
 
 def _section(result):
