@@ -54,26 +54,20 @@ V dot(const Vector3& a, const Vector3& b)
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// What belongs to the runs of some hits, from arrays with a value for each run.
+/// What belongs to the runs of some hits, from arrays with a value for each run. Runs are
+/// numbered in a row, so all that the hits of a vector can need are side by side.
 class Runs
 {
 public:
   explicit Runs(const std::int64_t* run)
     : First(run[0])
-    , IsOne(run[lanes - 1] == run[0])
-    , IsRow(run[lanes - 1] == run[0] + static_cast<std::int64_t>(lanes) - 1)
-    , Indices(hn::LoadU(di, run))
+    , Places(hn::IndicesFromVec(d, hn::Sub(hn::LoadU(di, run), hn::Set(di, run[0]))))
   {
   }
 
   V operator()(const double* values) const
   {
-    if (this->IsOne)
-    {
-      return hn::Set(d, values[this->First]);
-    }
-    return this->IsRow ? hn::LoadU(d, values + this->First)
-                       : hn::GatherIndex(d, values, this->Indices);
+    return hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places);
   }
   Vector3 operator()(const double (*values)[ShadeBatch::room]) const
   {
@@ -83,8 +77,7 @@ public:
 private:
   static constexpr hn::RebindToSigned<D> di{};
   std::int64_t First;
-  bool IsOne, IsRow;
-  hn::Vec<hn::RebindToSigned<D>> Indices;
+  decltype(hn::IndicesFromVec(d, hn::Zero(di))) Places;
 };
 
 /// Shader::arriving().
