@@ -6,14 +6,39 @@
 
 #include <hwy/cache_control.h>
 
+#include <cstring>
+
 namespace lambent
 {
+namespace
+{
+template <typename Channel>
+void repeat(const Channel (&color)[3], int count, Channel* out)
+{
+  // Bits are compared: 0 equals -0, but is not the same.
+  if (std::memcmp(color, color + 1, 2 * sizeof(Channel)) == 0)
+  {
+    std::fill_n(out, 3 * count, color[0]);
+    return;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    std::copy_n(color, 3, out + 3 * i);
+  }
+}
+}
+
 Painting::Painting(const Scene& scene, const Mesh& mesh, const Shader& shader, const Image& image)
   : Description(scene)
   , Triangles(mesh)
   , Colors(shader)
   , Target(image)
 {
+  this->Backgrounds.reserve(image.part.height());
+  for (int j = 0; j < image.part.height(); ++j)
+  {
+    this->Backgrounds.push_back(this->backgroundOf(j));
+  }
 }
 
 void Painting::paintPlainly(const CellRays& rays) const
@@ -21,14 +46,12 @@ void Painting::paintPlainly(const CellRays& rays) const
   const Window& window = rays.window();
   for (int j = 0; j < window.height(); ++j)
   {
-    const Vec3 background = this->background(window.j0 + j);
+    const Vec3& background = this->Backgrounds[window.j0 + j].color;
     for (int i = 0; i < window.width(); ++i)
     {
       const std::uint32_t triangle =
         rays.triangles()[static_cast<std::size_t>(j) * rays.stride() + i];
-      const std::size_t pixel =
-        static_cast<std::size_t>(window.j0 + j) * this->Target.part.width() + window.i0 + i;
-      this->store(pixel,
+      this->store(this->pixel(window.i0 + i, window.j0 + j),
         triangle == noTriangle ? background
                                : this->Colors.color(triangle, rays.xs()[i], rays.ys()[j]));
     }
@@ -38,53 +61,28 @@ void Painting::paintPlainly(const CellRays& rays) const
 
 void Painting::paint(const CellRays& rays, ShadeBatch& batch) const
 {
-  constexpr int step = 32; // no more rays at a time than a batch has room for
   const Window& window = rays.window();
-  this->paintBackground(window);
   for (int row = 0; row < window.height(); ++row)
   {
-    for (int begin = 0; begin < window.width(); begin += step)
+    const int j = window.j0 + row;
+    const std::uint32_t* const hits =
+      rays.triangles() + static_cast<std::size_t>(row) * rays.stride();
+    for (int begin = 0; begin < window.width(); begin += ShadeBatch::pieceSize)
     {
-      if (!batch.hasRoomFor(step))
+      const int i = window.i0 + begin;
+      const int width = std::min(ShadeBatch::pieceSize, window.width() - begin);
+      if (!batch.add({ i, j, width, rays.xs() + begin, rays.ys()[row] }, hits + begin))
+      {
+        this->paintBackground({ i, i + width, j, j + 1 });
+      }
+      else if (batch.isFull())
       {
         this->shade(batch);
       }
-      this->collect(rays, row, begin, std::min(begin + step, window.width()), batch);
     }
   }
   this->shade(batch);
   this->noteTriangles(rays);
-}
-
-/// Put the hits of some rays of a row into the batch. Whether a ray hits, and whether the
-/// same triangle as the one before, is a toss-up: everything is written, without a branch,
-/// and counted only if it is wanted.
-void Painting::collect(const CellRays& rays, int row, int begin, int end, ShadeBatch& batch) const
-{
-  const Window& window = rays.window();
-  const std::uint32_t* const triangles =
-    rays.triangles() + static_cast<std::size_t>(row) * rays.stride();
-  const double* const xs = rays.xs();
-  const double y = rays.ys()[row];
-  const std::size_t pixel =
-    static_cast<std::size_t>(window.j0 + row) * this->Target.part.width() + window.i0;
-  int count = batch.count, runs = batch.runs;
-  std::uint32_t last = runs > 0 ? batch.triangles[runs - 1] : noTriangle;
-  for (int i = begin; i < end; ++i)
-  {
-    const std::uint32_t triangle = triangles[i];
-    const bool isHit = triangle != noTriangle;
-    batch.triangles[runs] = triangle;
-    runs += isHit && triangle != last;
-    batch.pixels[count] = pixel + i;
-    batch.run[count] = runs - 1;
-    batch.x[count] = xs[i];
-    batch.y[count] = y;
-    count += isHit;
-    last = isHit ? triangle : last;
-  }
-  batch.count = count;
-  batch.runs = runs;
 }
 
 void Painting::noteTriangles(const CellRays& rays) const
@@ -93,38 +91,42 @@ void Painting::noteTriangles(const CellRays& rays) const
   for (int row = 0; this->Target.triangles && row < window.height(); ++row)
   {
     std::copy_n(rays.triangles() + static_cast<std::size_t>(row) * rays.stride(), window.width(),
-      this->Target.triangles +
-        static_cast<std::size_t>(window.j0 + row) * this->Target.part.width() + window.i0);
+      this->Target.triangles + this->pixel(window.i0, window.j0 + row));
   }
 }
 
-Vec3 Painting::background(int j) const
+Painting::Background Painting::backgroundOf(int j) const
 {
   const Vec3& bottom = this->Description.background;
   const Vec3& top = this->Description.backgroundTop;
   const int row = this->Target.part.j0 + j;
-  return bottom + (top - bottom) * ((row + 0.5) / this->Target.height);
+  Background result;
+  result.color = bottom + (top - bottom) * ((row + 0.5) / this->Target.height);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    result.bytes[channel] = toByte(result.color[channel]);
+    result.floats[channel] = toFloat(result.color[channel]);
+  }
+  return result;
 }
 
 void Painting::paintBackground(const Window& window) const
 {
   for (int j = window.j0; j < window.j1; ++j)
   {
-    const std::size_t row = static_cast<std::size_t>(j) * this->Target.part.width();
+    const std::size_t first = this->pixel(window.i0, j);
     if (this->Target.triangles)
     {
-      std::fill_n(this->Target.triangles + row + window.i0, window.width(), noTriangle);
+      std::fill_n(this->Target.triangles + first, window.width(), noTriangle);
     }
-    const Vec3 color = this->background(j);
-    if (this->Target.bytes && toByte(color.x) == toByte(color.y) &&
-      toByte(color.y) == toByte(color.z))
+    const Background& background = this->Backgrounds[j];
+    if (this->Target.bytes)
     {
-      std::fill_n(this->Target.bytes + 3 * (row + window.i0), 3 * window.width(), toByte(color.x));
-      continue;
+      repeat(background.bytes, window.width(), this->Target.bytes + 3 * first);
     }
-    for (int i = window.i0; i < window.i1; ++i)
+    else
     {
-      this->store(row + i, color);
+      repeat(background.floats, window.width(), this->Target.floats + 3 * first);
     }
   }
 }
@@ -146,64 +148,88 @@ void Painting::store(std::size_t pixel, const Vec3& color) const
 
 void Painting::shade(ShadeBatch& batch) const
 {
-  if (batch.count == 0)
+  for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
-    return;
+    const Vec3& color = this->Backgrounds[batch.pieces[piece].j].color;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      std::fill_n(batch.colors[channel] + piece * ShadeBatch::pieceSize, ShadeBatch::pieceSize,
+        color[channel]);
+    }
   }
-  batch.fillUp();
-  for (ShadeRange range; range.end < batch.count;)
+  ShadeRange range;
+  while (const Mesh::Part* const part = this->nextRange(batch, range))
   {
-    const Mesh::Part& part = this->Triangles.partOf(batch.triangles[range.endRun]);
-    range = this->rangeFrom(range, part, batch);
-    const Surface& surface = *part.surface;
+    const Surface& surface = *part->surface;
     if (surface.material.shading == Shading::Unlit)
     {
-      for (int k = range.first; k < range.end; ++k)
-      {
-        this->store(batch.pixels[k], surface.material.color);
-      }
+      fillHits(surface.material.color, range, batch);
       continue;
     }
-    load(part, range, batch);
+    load(*part, range, batch);
     shadeHits(this->Colors, surface.material, surface.isSmooth(), range, batch);
-    this->store(range, batch);
+  }
+  for (int piece = 0; piece < batch.pieceCount; ++piece)
+  {
+    this->store(batch, piece);
   }
   batch.clear();
 }
 
-/// What follows the last range and is on one part.
-ShadeRange Painting::rangeFrom(
-  const ShadeRange& last, const Mesh::Part& part, const ShadeBatch& batch) const
+/// Moves the range on to the runs after it up to those that hit another part; gives the
+/// part, or none where no run is left that hits anything.
+const Mesh::Part* Painting::nextRange(const ShadeBatch& batch, ShadeRange& range) const
 {
-  ShadeRange range{ last.endRun, last.endRun + 1, last.end, batch.count };
-  while (range.endRun < batch.runs && part.holds(batch.triangles[range.endRun]))
+  const Mesh::Part* part = nullptr;
+  range.firstRun = range.endRun;
+  for (; range.endRun < batch.runCount; ++range.endRun)
   {
-    ++range.endRun;
-  }
-  if (range.endRun < batch.runs)
-  {
-    range.end = static_cast<int>(
-      std::lower_bound(batch.run + range.first, batch.run + batch.count, range.endRun) - batch.run);
-  }
-  return range;
-}
-
-void Painting::store(const ShadeRange& range, const ShadeBatch& batch) const
-{
-  for (int k = range.first; k < range.end && this->Target.bytes; ++k)
-  {
-    unsigned char* const out = this->Target.bytes + 3 * batch.pixels[k];
-    for (int channel = 0; channel < 3; ++channel)
+    const std::uint32_t triangle = batch.triangles[range.endRun];
+    if (triangle != noTriangle && !(part && part->holds(triangle)))
     {
-      out[channel] = static_cast<unsigned char>(batch.bytes[channel][k]);
+      if (part)
+      {
+        break;
+      }
+      part = &this->Triangles.partOf(triangle);
     }
   }
-  for (int k = range.first; k < range.end && this->Target.floats; ++k)
+  const auto* const places = batch.run + batch.pieceCount * ShadeBatch::pieceSize;
+  range.first = range.end;
+  range.end =
+    static_cast<int>(std::lower_bound(batch.run + range.first, places, range.endRun) - batch.run);
+  return part;
+}
+
+void Painting::fillHits(const Vec3& color, const ShadeRange& range, ShadeBatch& batch)
+{
+  for (int place = range.first; place < range.end; ++place)
   {
-    float* const out = this->Target.floats + 3 * batch.pixels[k];
+    if (batch.triangles[batch.run[place]] != noTriangle)
+    {
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        batch.colors[channel][place] = color[channel];
+      }
+    }
+  }
+}
+
+void Painting::store(const ShadeBatch& batch, int piece) const
+{
+  const RayPiece& rays = batch.pieces[piece];
+  const std::size_t first = 3 * this->pixel(rays.i, rays.j);
+  if (this->Target.bytes)
+  {
+    storeBytes(batch, piece, this->Target.bytes + first);
+    return;
+  }
+  float* const out = this->Target.floats + first;
+  for (int i = 0; i < rays.width; ++i)
+  {
     for (int channel = 0; channel < 3; ++channel)
     {
-      out[channel] = toFloat(batch.colors[channel][k]);
+      out[3 * i + channel] = toFloat(batch.colors[channel][piece * ShadeBatch::pieceSize + i]);
     }
   }
 }
@@ -213,16 +239,24 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
 {
   const Surface& surface = *part.surface;
   const bool smooth = surface.isSmooth();
-  for (int k = range.firstRun; k < range.endRun; ++k)
+  int runs[ShadeBatch::places];
+  int count = 0;
+  std::fill_n(batch.isWanted, batch.runCount, 0.0);
+  for (int run = range.firstRun; run < range.endRun; ++run)
   {
-    hwy::Prefetch(surface.corners.at(3 * (batch.triangles[k] - part.firstTriangle)));
+    if (batch.triangles[run] != noTriangle)
+    {
+      batch.isWanted[run] = 1.0;
+      runs[count++] = run;
+      hwy::Prefetch(surface.corners.at(3 * (batch.triangles[run] - part.firstTriangle)));
+    }
   }
-  std::uint64_t corners[ShadeBatch::capacity][3];
-  for (int k = range.firstRun; k < range.endRun; ++k)
+  std::uint64_t corners[ShadeBatch::places][3];
+  for (int k = 0; k < count; ++k)
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const std::size_t triangle = batch.triangles[k] - part.firstTriangle;
+      const std::size_t triangle = batch.triangles[runs[k]] - part.firstTriangle;
       corners[k][corner] = surface.corners[3 * triangle + corner];
       hwy::Prefetch(surface.points.at(corners[k][corner]));
       if (smooth)
@@ -231,25 +265,26 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
       }
     }
   }
-  const auto put = [](double(*rows)[ShadeBatch::room], int k, const Vec3& v)
+  const auto put = [](double(*rows)[ShadeBatch::room], int run, const Vec3& v)
   {
-    rows[0][k] = v.x;
-    rows[1][k] = v.y;
-    rows[2][k] = v.z;
+    rows[0][run] = v.x;
+    rows[1][run] = v.y;
+    rows[2][run] = v.z;
   };
-  for (int k = range.firstRun; k < range.endRun; ++k)
+  for (int k = 0; k < count; ++k)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      put(batch.points + 3 * corner, k, surface.points[corners[k][corner]]);
+      put(batch.points + 3 * corner, runs[k], surface.points[corners[k][corner]]);
       if (smooth)
       {
-        put(batch.normals + 3 * corner, k, surface.pointNormals[corners[k][corner]]);
+        put(batch.normals + 3 * corner, runs[k], surface.pointNormals[corners[k][corner]]);
       }
     }
     if (!smooth)
     {
-      put(batch.normals, k, Shader::faceNormal(surface, batch.triangles[k] - part.firstTriangle));
+      put(batch.normals, runs[k],
+        Shader::faceNormal(surface, batch.triangles[runs[k]] - part.firstTriangle));
     }
   }
 }

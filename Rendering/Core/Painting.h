@@ -4,10 +4,10 @@
  * @file
  * @brief write the pixels of a cell: the colour of what is hit, or the background
  *
- * paintPlainly() asks the Shader pixel by pixel and is the definition. paint() fills
- * rows with the background, collects hits and leaves those on each surface to the kernel
- * of ShadingKernel.h, which gives the same bits. Both also note which triangle each pixel
- * shows, if the image wants to know.
+ * paintPlainly() asks the Shader pixel by pixel and is the definition. paint() takes a
+ * row piece by piece, which begin as background, and leaves the hits on each surface to
+ * the kernel of ShadingKernel.h, which gives the same bits. Both also note which triangle
+ * each pixel shows, if the image wants to know.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
@@ -16,6 +16,8 @@
 #include "Render.h"
 #include "ShadeBatch.h"
 #include "Shading.h"
+
+#include <vector>
 
 namespace lambent
 {
@@ -29,21 +31,32 @@ public:
   void paintBackground(const Window& window) const;
 
 private:
-  /// The background's colour in a row of the image's part.
-  Vec3 background(int j) const;
+  /// Where a pixel of the image's part is stored.
+  std::size_t pixel(int i, int j) const
+  {
+    return static_cast<std::size_t>(j) * this->Target.part.width() + i;
+  }
+  /// The background's colour in a row of the image's part, as it is and as it is stored.
+  struct Background
+  {
+    Vec3 color;
+    unsigned char bytes[3];
+    float floats[3];
+  };
+  Background backgroundOf(int j) const;
   void store(std::size_t pixel, const Vec3& color) const;
   void noteTriangles(const CellRays& rays) const;
-  void collect(const CellRays& rays, int row, int begin, int end, ShadeBatch& batch) const;
   void shade(ShadeBatch& batch) const;
-  ShadeRange rangeFrom(
-    const ShadeRange& last, const Mesh::Part& part, const ShadeBatch& batch) const;
-  void store(const ShadeRange& range, const ShadeBatch& batch) const;
+  const Mesh::Part* nextRange(const ShadeBatch& batch, ShadeRange& range) const;
+  static void fillHits(const Vec3& color, const ShadeRange& range, ShadeBatch& batch);
+  void store(const ShadeBatch& batch, int piece) const;
   static void load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch& batch);
 
   const Scene& Description;
   const Mesh& Triangles;
   const Shader& Colors;
   const Image Target;
+  std::vector<Background> Backgrounds; ///< of each row of the part
 };
 }
 

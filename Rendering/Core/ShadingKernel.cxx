@@ -12,6 +12,8 @@
 #include "Elementary.h"
 #include "ShadingKernel.h"
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace lambent
 {
@@ -54,8 +56,8 @@ V dot(const Vector3& a, const Vector3& b)
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// What belongs to the runs of some hits, from arrays with a value for each run. Runs are
-/// numbered in a row, so all that the hits of a vector can need are side by side.
+/// What belongs to the runs of some rays, from arrays with a value for each run. Runs are
+/// numbered in a row, so all that the rays of a vector can need is side by side.
 class Runs
 {
 public:
@@ -137,14 +139,15 @@ Vector3 lit(
 }
 
 /// toByte().
-void storeBytes(V value, std::int32_t* bytes)
+void storeBytes(V value, std::uint8_t* bytes)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const V clamped =
     hn::IfThenElseZero(hn::Gt(value, zero), hn::IfThenElse(hn::Lt(value, one), value, one));
-  const hn::Rebind<std::int32_t, D> di32;
-  hn::StoreU(
-    hn::DemoteTo(di32, hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5))), di32, bytes);
+  const auto rounded = hn::DemoteTo(
+    hn::Rebind<std::int32_t, D>(), hn::Add(hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5)));
+  const hn::Rebind<std::uint8_t, D> d8;
+  hn::StoreU(hn::DemoteTo(d8, rounded), d8, bytes);
 }
 
 /// Bring the corners of the runs into the camera's frame.
@@ -163,13 +166,11 @@ void toFrame(const VectorFrame& frame, const ShadeRange& range, ShadeBatch& batc
   }
 }
 
-/// The colours of the hits [k, k + lanes).
-Vector3 color(
-  const Shader& shader, const Material& material, bool smooth, const ShadeBatch& batch, int k)
+/// The colours of some rays.
+Vector3 color(const Shader& shader, const Material& material, bool smooth, const ShadeBatch& batch,
+  const Runs& runs, V x, V y)
 {
   const CameraFrame& frame = shader.frame();
-  const Runs runs(batch.run + k);
-  const V x = hn::LoadU(d, batch.x + k), y = hn::LoadU(d, batch.y + k);
   const Vector3 a = runs(batch.points), b = runs(batch.points + 3), c = runs(batch.points + 6);
   const V one = hn::Set(d, 1.0);
   const V aw = frame.parallel ? one : a.z, bw = frame.parallel ? one : b.z,
@@ -209,17 +210,45 @@ Vector3 color(
 void ShadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
   ShadeBatch& batch)
 {
+  constexpr auto step = static_cast<int>(lanes);
   toFrame(VectorFrame(shader.frame()), range, batch);
-  for (int k = range.first; k < range.end; k += static_cast<int>(lanes))
+  for (int place = range.first / step * step; place < range.end; place += step)
   {
-    const Vector3 result = color(shader, material, smooth, batch, k);
-    hn::StoreU(result.x, d, batch.colors[0] + k);
-    hn::StoreU(result.y, d, batch.colors[1] + k);
-    hn::StoreU(result.z, d, batch.colors[2] + k);
-    storeBytes(result.x, batch.bytes[0] + k);
-    storeBytes(result.y, batch.bytes[1] + k);
-    storeBytes(result.z, batch.bytes[2] + k);
+    const RayPiece& piece = batch.pieces[place / ShadeBatch::pieceSize];
+    const int i = place % ShadeBatch::pieceSize;
+    const Runs runs(batch.run + place);
+    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
+    if (i >= piece.width || hn::AllFalse(d, isWanted))
+    {
+      continue;
+    }
+    const Vector3 result =
+      color(shader, material, smooth, batch, runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
+    hn::BlendedStore(result.x, isWanted, d, batch.colors[0] + place);
+    hn::BlendedStore(result.y, isWanted, d, batch.colors[1] + place);
+    hn::BlendedStore(result.z, isWanted, d, batch.colors[2] + place);
   }
+}
+
+void StoreBytes(const ShadeBatch& batch, int piece, unsigned char* pixels)
+{
+  constexpr int size = ShadeBatch::pieceSize;
+  HWY_ALIGN std::uint8_t channels[3][size];
+  for (int i = 0; i < size; i += static_cast<int>(lanes))
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      storeBytes(hn::LoadU(d, batch.colors[channel] + piece * size + i), channels[channel] + i);
+    }
+  }
+  const hn::CappedTag<std::uint8_t, 16> d8;
+  HWY_ALIGN std::uint8_t interleaved[3 * size];
+  for (int i = 0; i < size; i += static_cast<int>(hn::Lanes(d8)))
+  {
+    hn::StoreInterleaved3(hn::LoadU(d8, channels[0] + i), hn::LoadU(d8, channels[1] + i),
+      hn::LoadU(d8, channels[2] + i), d8, interleaved + 3 * i);
+  }
+  std::memcpy(pixels, interleaved, static_cast<std::size_t>(3 * batch.pieces[piece].width));
 }
 }
 }
@@ -230,11 +259,17 @@ HWY_AFTER_NAMESPACE();
 namespace lambent
 {
 HWY_EXPORT(ShadeHits);
+HWY_EXPORT(StoreBytes);
 
 void shadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
   ShadeBatch& batch)
 {
   HWY_DYNAMIC_DISPATCH(ShadeHits)(shader, material, smooth, range, batch);
+}
+
+void storeBytes(const ShadeBatch& batch, int piece, unsigned char* pixels)
+{
+  HWY_DYNAMIC_DISPATCH(StoreBytes)(batch, piece, pixels);
 }
 }
 #endif
