@@ -10,8 +10,14 @@
 #include "Parallel.h"
 
 #include "vtkSMPTools.h"
+#include "vtkVersion.h"
 
 #include <algorithm>
+#include <string>
+
+#ifdef __unix__
+#include <unistd.h>
+#endif
 
 /// As many workers as vtkSMPTools has threads, on whatever backend is in use.
 class SMPParallel : public lambent::Parallel
@@ -32,7 +38,22 @@ public:
   }
 
 private:
-  const int Count = std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  /// From VTK 9.3 on the backend STDThread keeps its threads. A child process does not
+  /// inherit them, and would wait for them for ever.
+  static bool hasLostThreads()
+  {
+#if defined(__unix__) && VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+    return getpid() != ProcessAtStart && std::string(vtkSMPTools::GetBackend()) == "STDThread";
+#else
+    return false;
+#endif
+  }
+
+#ifdef __unix__
+  static inline const pid_t ProcessAtStart = getpid();
+#endif
+
+  const int Count = hasLostThreads() ? 1 : std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 };
 
 #endif
