@@ -50,7 +50,7 @@ public:
     this->Lows.assign(size, noNearness.low);
     this->Highs.assign(size, noNearness.high);
     this->Triangles.assign(size, noTriangle);
-    this->Depths.assign(size, std::numeric_limits<double>::infinity());
+    this->Depths.resize(size); // means nothing where nothing is hit
     this->DepthOwners.assign(size, noTriangle);
   }
 
@@ -82,7 +82,11 @@ public:
 
   /// Whether the depth of a ray's hit is known. That of no hit is: infinite.
   bool knowsDepth(std::size_t ray) const { return this->DepthOwners[ray] == this->Triangles[ray]; }
-  double depth(std::size_t ray) const { return this->Depths[ray]; }
+  double depth(std::size_t ray) const
+  {
+    return this->Triangles[ray] == noTriangle ? std::numeric_limits<double>::infinity()
+                                              : this->Depths[ray];
+  }
   void setDepth(std::size_t ray, double depth)
   {
     this->Depths[ray] = depth;
@@ -93,8 +97,8 @@ public:
   /// known, too.
   void offer(std::size_t ray, double depth, std::uint32_t triangle, const Nearness& range)
   {
-    if (depth < this->Depths[ray] ||
-      (depth == this->Depths[ray] && triangle < this->Triangles[ray]))
+    const double nearest = this->depth(ray);
+    if (depth < nearest || (depth == nearest && triangle < this->Triangles[ray]))
     {
       this->set(ray, triangle, range);
       this->setDepth(ray, depth);
