@@ -21,6 +21,7 @@ RAYS = "Rendering/Core/CellRays.h"
 SHADING = "Rendering/Core/Shading.cxx"
 SHADING_KERNEL = "Rendering/Core/ShadingKernel.cxx"
 PAINTING = "Rendering/Core/Painting.cxx"
+SHADE_BATCH = "Rendering/Core/ShadeBatch.h"
 TRIANGULATION = "Rendering/Core/Triangulation.cxx"
 NORMAL = "Filters/Core/NormalContribution.h"
 NORMAL_KERNEL = "Filters/Core/NormalKernel.cxx"
@@ -106,8 +107,8 @@ MUTATIONS = [
      "the kernel's hits lie in the sheared box"),
     (EXACT, "hn::And(hit, hn::Le(total, zero))", "hn::And(hit, hn::Ge(total, zero))",
      "the kernel culls fronts"),
-    (RAYS, "depth == this->Depths[ray] && triangle < this->Triangles[ray]",
-     "depth == this->Depths[ray] && triangle > this->Triangles[ray]",
+    (RAYS, "depth == nearest && triangle < this->Triangles[ray]",
+     "depth == nearest && triangle > this->Triangles[ray]",
      "the first of two at one depth"),
     # The light model.
     (SHADING, "light.positional && light.coneAngle < 90.0", "light.positional",
@@ -143,6 +144,15 @@ MUTATIONS = [
     (SHADING_KERNEL, "hn::Div(facing, hn::Sqrt(hn::Mul(square, normalSquare)))",
      "hn::Div(facing, hn::Mul(hn::Sqrt(square), hn::Sqrt(normalSquare)))",
      "the kernel's cosine, in its order"),
+    (SHADING_KERNEL, "hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places)",
+     "hn::LoadU(d, values + this->First)", "each ray has what belongs to its run"),
+    (SHADING_KERNEL, "hn::BlendedStore(result.y, isWanted,", "hn::StoreU(result.y,",
+     "what is not hit keeps the background"),
+    (SHADE_BATCH, "std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);",
+     "", "places beyond a piece belong to its last run"),
+    (PAINTING, "std::fill_n(batch.isWanted, batch.runCount, 0.0);", "",
+     "what another part hits is not shaded again"),
+    (PAINTING, "!(part && part->holds(triangle))", "!part", "a range ends where another part begins"),
     (PAINTING, "(row + 0.5)", "row", "the gradient is that of the rows' centres"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
