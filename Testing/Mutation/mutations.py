@@ -153,7 +153,7 @@ MUTATIONS = [
     (PAINTING, "std::fill_n(batch.isWanted, batch.runCount, 0.0);", "",
      "what another part hits is not shaded again"),
     (PAINTING, "!(part && part->holds(triangle))", "!part", "a range ends where another part begins"),
-    (PAINTING, "(row + 0.5)", "row", "the gradient is that of the rows' centres"),
+    (PAINTING, "(row + 0.5)", "(row + 0.0)", "the gradient is that of the rows' centres"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
      "radians have a low part"),

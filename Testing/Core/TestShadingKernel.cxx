@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours of the kernel are those of Shader::color() to the last bit of a double. A
+// picture of floats would show a difference in that bit once in 500 million channels.
+#include "RandomNumbers.h"
+#include "ShadeBatch.h"
+#include "ShadingKernel.h"
+#include "VectorTarget.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <memory>
+
+using namespace lambent;
+
+namespace
+{
+constexpr int width = 4 * ShadeBatch::pieceSize, height = 3;
+constexpr double untouched = -7.0;
+
+/// Triangles one behind the other, each of which covers the view.
+struct Sheets
+{
+  static constexpr int count = 9;
+
+  RandomNumbers random;
+  std::vector<double> points, normals;
+  std::vector<std::int32_t> corners;
+  Scene scene;
+  std::unique_ptr<const CameraFrame> frame;
+  std::unique_ptr<const Mesh> mesh;
+
+  Sheets(unsigned int seed, bool parallel, Shading shading)
+    : random(seed)
+  {
+    this->scene.camera.position = Vec3(0.0); // so that no light is rounded as seen from it
+    this->scene.camera.focalPoint = this->random.inBox(1.0);
+    this->scene.camera.parallel = parallel;
+    this->scene.camera.parallelScale = 0.3;
+    this->frame = std::make_unique<CameraFrame>(this->scene.camera, width, height);
+    for (int k = 0; k < count; ++k)
+    {
+      this->addTriangle(3 * k, parallel);
+    }
+    Surface surface;
+    surface.points = { this->points.data(), true, 3u * count };
+    surface.corners = { this->corners.data(), false, 3u * count };
+    surface.pointNormals = { this->normals.data(), true, 3u * count };
+    surface.material.shading = shading;
+    surface.material.diffuse = this->random.inBox(0.5) + Vec3(0.5);
+    surface.material.ambient = this->random.inBox(0.5) + Vec3(0.5);
+    this->scene.surfaces.push_back(surface);
+    this->mesh = std::make_unique<Mesh>(this->scene.surfaces);
+    this->addLights();
+  }
+
+  void addTriangle(int first, bool parallel)
+  {
+    const double onPlane[3][2] = { { -90.0, -90.0 }, { 90.0, -90.0 }, { 0.0, 90.0 } };
+    for (const auto& place : onPlane)
+    {
+      const double depth = this->random.within(1.0, 5.0);
+      const double scale = (parallel ? 1.0 : depth) * this->random.within(0.9, 1.1);
+      const Vec3 p =
+        (this->frame->right * (scale * place[0]) + this->frame->up * (scale * place[1])) +
+        this->frame->forward * depth;
+      const Vec3 n = this->random.inBox(1.0) - this->frame->forward * this->random.within(0.0, 2.0);
+      this->points.insert(this->points.end(), { p.x, p.y, p.z });
+      this->normals.insert(this->normals.end(), { n.x, n.y, n.z });
+    }
+    const bool isFront = this->random.below(2) == 0;
+    this->corners.insert(
+      this->corners.end(), { first, first + (isFront ? 1 : 2), first + (isFront ? 2 : 1) });
+  }
+
+  /// Of every kind, and one exactly where a ray hits the first triangle.
+  void addLights()
+  {
+    Light light;
+    light.direction = this->random.inBox(1.0) + this->frame->forward;
+    light.color = this->random.inBox(0.5) + Vec3(0.5);
+    this->scene.lights.push_back(light);
+    light.positional = true;
+    light.position = this->random.inBox(1.0);
+    light.attenuation = { 0.3, 0.7, 0.2 };
+    this->scene.lights.push_back(light);
+    light.coneAngle = 50.0;
+    light.exponent = 2.5;
+    light.direction = this->frame->forward;
+    this->scene.lights.push_back(light);
+    const auto corner = [this](std::size_t k)
+    {
+      const Surface& surface = this->scene.surfaces[0];
+      return this->frame->toFrame(surface.points[surface.corners[k]]);
+    };
+    Hit hit{};
+    EXPECT_TRUE(
+      intersect(corner(0), corner(1), corner(2), this->frame->x(0), this->frame->y(0), hit));
+    light.position = this->frame->fromEye(this->frame->x(0), this->frame->y(0), hit.depth);
+    this->scene.lights.push_back(light);
+  }
+};
+
+/// Pieces of a row whose rays hit one sheet or another, or nothing, in runs.
+struct Rays
+{
+  std::vector<double> xs;
+  double y;
+  ShadeBatch batch;
+
+  Rays(Sheets& sheets, int row)
+    : y(sheets.frame->y(row))
+  {
+    for (int i = 0; i < width + 16; ++i)
+    {
+      this->xs.push_back(sheets.frame->x(i));
+    }
+    std::uint32_t triangle = 0; // for the light that lies on it
+    for (int piece = 0; piece < ShadeBatch::mostPieces; ++piece)
+    {
+      const int begin = piece * ShadeBatch::pieceSize;
+      const int size = ShadeBatch::pieceSize - (piece % 2) * sheets.random.below(20);
+      std::uint32_t hits[ShadeBatch::pieceSize];
+      for (int i = 0; i < size; ++i)
+      {
+        hits[i] = triangle;
+        if (sheets.random.below(3) == 0)
+        {
+          const int next = sheets.random.below(Sheets::count + 2);
+          triangle = next < Sheets::count ? static_cast<std::uint32_t>(next) : noTriangle;
+        }
+      }
+      this->batch.add({ begin, row, size, this->xs.data() + begin, this->y }, hits);
+    }
+    std::fill_n(this->batch.colors[0], 3 * ShadeBatch::places, untouched);
+    for (int run = 0; run < this->batch.runCount; ++run)
+    {
+      this->load(sheets.scene.surfaces[0], run);
+    }
+  }
+
+  void load(const Surface& surface, int run)
+  {
+    const std::uint32_t triangle = this->batch.triangles[run];
+    if (triangle == noTriangle)
+    {
+      return;
+    }
+    this->batch.isWanted[run] = 1.0;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const std::uint64_t point = surface.corners[3 * triangle + corner];
+      const Vec3 normal =
+        surface.isSmooth() ? surface.pointNormals[point] : Shader::faceNormal(surface, triangle);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->batch.points[3 * corner + axis][run] = surface.points[point][axis];
+        this->batch.normals[3 * corner + axis][run] = normal[axis];
+      }
+    }
+  }
+};
+
+void expectShadersColors(const Rays& rays, const Shader& shader)
+{
+  const ShadeBatch& batch = rays.batch;
+  for (int place = 0; place < batch.pieceCount * ShadeBatch::pieceSize; ++place)
+  {
+    const RayPiece& piece = batch.pieces[place / ShadeBatch::pieceSize];
+    const int i = place % ShadeBatch::pieceSize;
+    const std::uint32_t triangle = batch.triangles[batch.run[place]];
+    if (i >= piece.width)
+    {
+      continue;
+    }
+    const Vec3 expected =
+      triangle == noTriangle ? Vec3(untouched) : shader.color(triangle, piece.xs[i], piece.y);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      EXPECT_EQ(std::memcmp(&batch.colors[channel][place], &expected[channel], sizeof(double)), 0)
+        << "place " << place << ", triangle " << triangle << ": "
+        << batch.colors[channel][place] - expected[channel];
+    }
+  }
+}
+
+void compare(unsigned int seed, bool parallel, Shading shading)
+{
+  Sheets sheets(seed, parallel, shading);
+  sheets.scene.twoSidedLighting = seed % 2 == 0;
+  sheets.scene.ambientModel = seed % 3 == 0 ? AmbientModel::Scene : AmbientModel::PerLight;
+  const Shader shader(sheets.scene, *sheets.mesh, *sheets.frame);
+  for (int row = 0; row < height; ++row)
+  {
+    Rays rays(sheets, row);
+    const ShadeRange all{ 0, rays.batch.runCount, 0,
+      rays.batch.pieceCount * ShadeBatch::pieceSize };
+    const Surface& surface = sheets.scene.surfaces[0];
+    shadeHits(shader, surface.material, surface.isSmooth(), all, rays.batch);
+    expectShadersColors(rays, shader);
+  }
+}
+}
+
+TEST(ShadingKernel, GivesTheShadersDoubles)
+{
+  const std::string usual = vectorTargetInUse();
+  for (const std::string& target : vectorTargets())
+  {
+    if (target == "plain")
+    {
+      continue;
+    }
+    SCOPED_TRACE(target);
+    ASSERT_TRUE(useVectorTarget(target));
+    for (unsigned int seed = 0; seed < 30; ++seed)
+    {
+      compare(seed, seed % 5 == 0, seed % 4 == 0 ? Shading::Flat : Shading::Smooth);
+    }
+  }
+  ASSERT_TRUE(useVectorTarget(usual));
+}
