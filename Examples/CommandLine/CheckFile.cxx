@@ -4,6 +4,8 @@
 #include "CheckFile.h"
 #include "Messages.h"
 
+#include "vtkObject.h"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -36,6 +38,14 @@ void CheckFile(const std::string& path)
   if (std::filesystem::file_size(path, error) == 0)
   {
     throw Failure("it is empty; get a whole copy of it");
+  }
+}
+
+void CheckLastByte(char last)
+{
+  if (last != '\n')
+  {
+    vtkGenericWarningMacro("it does not end with the end of a line; it may be cut short");
   }
 }
 

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CheckLegacyVtk.h"
+#include "CheckFile.h"
 #include "FileBytes.h"
 #include "Messages.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 namespace lambent::command
 {
@@ -78,7 +83,7 @@ void CheckList(Numbers numbers, long long cells, long long size)
   }
 }
 
-/// Looks at what follows a keyword; if it is "cells size" and a line end, a list begins there.
+/// If "cells size" follows a keyword, a list begins on the next line.
 void CheckAfterKeyword(const FileBytes& file, const char* at, bool isText)
 {
   char* end = nullptr;
@@ -89,12 +94,54 @@ void CheckAfterKeyword(const FileBytes& file, const char* at, bool isText)
   {
     return; // the word means something else here
   }
-  while (*end == ' ' || *end == '\r')
+  const char* const list = std::find(static_cast<const char*>(end), file.end(), '\n');
+  CheckList(Numbers(list + (list < file.end()), file.end(), isText), cells, size);
+}
+
+bool IsSpace(char c)
+{
+  return std::isspace(static_cast<unsigned char>(c)) != 0;
+}
+
+/// In letters of any case.
+bool StartsWith(std::string_view text, std::string_view word)
+{
+  return text.size() >= word.size() &&
+    std::equal(word.begin(), word.end(), text.begin(),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// Like the reader, takes any word for a keyword that begins as one.
+void CheckLists(const FileBytes& file, bool isText)
+{
+  constexpr std::string_view keywords[] = { "vertices", "lines", "polygons", "triangle_strips",
+    "cells" };
+  for (const char* at = file.begin() + 1; at < file.end(); ++at)
   {
-    ++end;
+    if (*at < 'A' || !IsSpace(at[-1]))
+    {
+      continue; // most bytes by far
+    }
+    const std::string_view word(at, static_cast<std::size_t>(file.end() - at));
+    if (std::any_of(std::begin(keywords), std::end(keywords),
+          [word](std::string_view keyword) { return StartsWith(word, keyword); }))
+    {
+      CheckAfterKeyword(file, std::find_if(at, file.end(), IsSpace), isText);
+    }
   }
-  const char* const list = end < file.end() ? end + 1 : end;
-  CheckList(Numbers(list, file.end(), isText), cells, size);
+}
+
+/// What the first word behind the first two lines says.
+bool IsText(const FileBytes& file)
+{
+  const char* at = file.begin();
+  for (int line = 0; line < 2; ++line)
+  {
+    at = std::find(at, file.end(), '\n');
+    at += at < file.end();
+  }
+  at = std::find_if_not(at, file.end(), IsSpace);
+  return StartsWith({ at, static_cast<std::size_t>(file.end() - at) }, "ascii");
 }
 
 } // namespace
@@ -102,22 +149,21 @@ void CheckAfterKeyword(const FileBytes& file, const char* at, bool isText)
 void CheckLegacyVtk(const std::string& path)
 {
   const FileBytes file(path);
-  const std::string_view text = file.view();
-  const std::string_view start = text.substr(0, 1024);
-  const std::string_view magic = "# vtk DataFile Version ";
-  if (start.substr(0, magic.size()) != magic || std::atoi(start.data() + magic.size()) >= 5)
+  const std::string_view magic = "# vtk DataFile Version";
+  if (file.view().substr(0, magic.size()) != magic)
   {
-    return; // not ours to judge, or a version whose lists have their sizes in front
+    return; // not ours to judge
   }
-  const bool isText = start.find("\nASCII") != std::string_view::npos;
-  for (const std::string_view keyword :
-    { "VERTICES ", "LINES ", "POLYGONS ", "TRIANGLE_STRIPS ", "CELLS " })
+  const bool isText = IsText(file);
+  if (isText)
   {
-    for (std::size_t at = text.find(keyword); at != std::string_view::npos;
-         at = text.find(keyword, at + 1))
-    {
-      CheckAfterKeyword(file, file.begin() + at + keyword.size(), isText);
-    }
+    CheckLastByte(file.view().back());
+  }
+  // From version 5 on, lists have their sizes in front. What has none is read as an old one.
+  int major = 0, minor = 0;
+  if (std::sscanf(file.begin() + magic.size(), "%d.%d", &major, &minor) != 2 || major < 5)
+  {
+    CheckLists(file, isText);
   }
 }
 

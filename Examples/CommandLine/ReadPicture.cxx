@@ -4,6 +4,7 @@
 #include "ReadPicture.h"
 #include "CheckFile.h"
 #include "CheckPng.h"
+#include "CheckXml.h"
 #include "FileBytes.h"
 #include "FileKinds.h"
 #include "Messages.h"
@@ -46,6 +47,7 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path, VtkMessages& 
     vtkSmartPointer<vtkImageData> image;
     if (PictureKindOf(path) == PictureKind::Vti)
     {
+      CheckXml(path);
       image = ReadWith<vtkXMLImageDataReader>(path, messages);
     }
     else

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadPly.h"
+#include "CheckFile.h"
 #include "FileBytes.h"
 #include "Messages.h"
 #include "PlyCursor.h"
@@ -230,6 +231,10 @@ vtkSmartPointer<vtkPolyData> ReadPly(const std::string& path, const ProgressFunc
 {
   const FileBytes file(path);
   const PlyHeader header = ParsePlyHeader(file.view());
+  if (header.format == PlyFormat::Text)
+  {
+    CheckLastByte(file.view().back());
+  }
   PlyCursor cursor(file.begin() + header.bodyOffset, file.end(), header.format);
   // A file of less than 2 GB cannot hold more than 2^31 - 1 ids; they then take half the room.
   const bool idsAreShort = file.size() <= std::numeric_limits<vtkTypeInt32>::max();

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadSurface.h"
+#include "CheckCells.h"
 #include "CheckFile.h"
 #include "CheckLegacyVtk.h"
+#include "CheckXml.h"
 #include "FileKinds.h"
 #include "Messages.h"
 #include "Progress.h"
@@ -11,7 +13,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkErrorCode.h"
 #include "vtkGenericDataObjectReader.h"
@@ -66,10 +67,7 @@ void CheckObj(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   file.seekg(-1, std::ios::end);
-  if (file.get() != '\n')
-  {
-    vtkGenericWarningMacro("it does not end with the end of a line; it may be cut short");
-  }
+  CheckLastByte(static_cast<char>(file.get()));
 }
 
 /// Runs a reader and gives its output, or throws what it has to say.
@@ -105,8 +103,10 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
   switch (*kind)
   {
     case MeshKind::Vtp:
+      CheckXml(path);
       return Read<vtkXMLPolyDataReader>(path, messages, progress);
     case MeshKind::Vtu:
+      CheckXml(path);
       return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
     case MeshKind::LegacyVtk:
       CheckLegacyVtk(path);
@@ -121,36 +121,6 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
       break;
   }
   return ReadPly(path, [&progress](double fraction) { progress.Update(fraction); });
-}
-
-/// Whoever uses the cells relies on their point ids; one read from a file may be any number.
-void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints)
-{
-  if (!cells || cells->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  bool isSound = cells->IsValid();
-  const auto check = [&isSound, numberOfPoints](auto* connectivity)
-  {
-    for (const auto id : vtk::DataArrayValueRange<1>(connectivity))
-    {
-      isSound &= id >= 0 && id < numberOfPoints;
-    }
-  };
-  if (cells->IsStorage64Bit())
-  {
-    check(cells->GetConnectivityArray64());
-  }
-  else
-  {
-    check(cells->GetConnectivityArray32());
-  }
-  if (!isSound)
-  {
-    throw Failure("it has a cell that names a point that does not exist, of " +
-      std::to_string(numberOfPoints) + " points; get a whole copy of it");
-  }
 }
 
 /// A mesh without polygons can be drawn. But in the kinds that do not tell at their start what is
@@ -187,7 +157,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(
   }
   if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(dataSet))
   {
-    CheckCells(grid->GetCells(), grid->GetNumberOfPoints());
+    CheckCells(grid);
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   progress.Follow(surface);

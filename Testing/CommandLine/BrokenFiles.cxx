@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "BrokenFiles.h"
+
+#include "FileKinds.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "ReadPicture.h"
+#include "ReadSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkLambentRayTracer.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSTLWriter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridWriter.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <unistd.h>
+
+using namespace lambent::command;
+
+namespace
+{
+
+/// Two triangles of points whose numbers have two digits: half of such a number is another.
+const vtkIdType Triangles[2][3] = { { 10, 11, 12 }, { 10, 12, 13 } };
+const int PointCount = 14;
+
+vtkSmartPointer<vtkPolyData> MakeMesh()
+{
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < PointCount; ++k)
+  {
+    points->InsertNextPoint(0.5 * k, k * k, k % 3);
+  }
+  vtkNew<vtkCellArray> polygons;
+  for (const auto& triangle : Triangles)
+  {
+    polygons->InsertNextCell(3, triangle);
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(polygons);
+  return mesh;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid()
+{
+  const auto mesh = MakeMesh();
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(mesh->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, mesh->GetPolys());
+  return grid;
+}
+
+vtkSmartPointer<vtkImageData> MakeImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(3, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (vtkIdType k = 0; k < 18; ++k)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(k / 3, k % 3, 10.0 * k);
+  }
+  return image;
+}
+
+template <typename Writer>
+std::string Written(Writer* writer, vtkDataObject* data)
+{
+  const Scratch scratch("");
+  writer->SetInputDataObject(data);
+  writer->SetFileName(scratch.path.c_str());
+  writer->Write();
+  return scratch.read();
+}
+
+template <typename Writer>
+File Xml(const std::string& extension, vtkDataObject* data, int mode, int compressor, bool encode)
+{
+  vtkNew<Writer> writer;
+  writer->SetDataMode(mode);
+  writer->SetCompressorType(compressor);
+  writer->SetEncodeAppendedData(encode);
+  const std::string name = "mode " + std::to_string(mode) + ", compressor " +
+    std::to_string(compressor) + (encode ? ", encoded " : " ");
+  return { name, extension, Written(writer.Get(), data) };
+}
+
+void AddXml(std::vector<File>& files)
+{
+  using Mesh = vtkXMLPolyDataWriter;
+  files.push_back(Xml<Mesh>(".vtp", MakeMesh(), Mesh::Ascii, Mesh::NONE, false));
+  files.push_back(Xml<Mesh>(".vtp", MakeMesh(), Mesh::Binary, Mesh::ZLIB, false));
+  files.push_back(Xml<Mesh>(".vtp", MakeMesh(), Mesh::Appended, Mesh::NONE, false));
+  files.push_back(Xml<Mesh>(".vtp", MakeMesh(), Mesh::Appended, Mesh::LZ4, false));
+  files.push_back(Xml<Mesh>(".vtp", MakeMesh(), Mesh::Appended, Mesh::LZMA, true));
+  using Grid = vtkXMLUnstructuredGridWriter;
+  files.push_back(Xml<Grid>(".vtu", MakeGrid(), Grid::Binary, Grid::NONE, false));
+  files.push_back(Xml<Grid>(".vtu", MakeGrid(), Grid::Appended, Grid::ZLIB, false));
+  using Image = vtkXMLImageDataWriter;
+  files.push_back(Xml<Image>(".vti", MakeImage(), Image::Ascii, Image::NONE, false));
+  files.push_back(Xml<Image>(".vti", MakeImage(), Image::Appended, Image::ZLIB, false));
+}
+
+template <typename Writer>
+File Legacy(vtkDataObject* data, int version, int fileType)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileType(fileType);
+  writer->SetFileVersion(version);
+  return { (fileType == VTK_ASCII ? "text " : "binary ") + std::to_string(version) + " ", ".vtk",
+    Written(writer.Get(), data) };
+}
+
+void AddLegacy(std::vector<File>& files)
+{
+  for (int fileType : { VTK_ASCII, VTK_BINARY })
+  {
+    for (int version : { vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2,
+           vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_5_1 })
+    {
+      files.push_back(Legacy<vtkPolyDataWriter>(MakeMesh(), version, fileType));
+      files.push_back(Legacy<vtkUnstructuredGridWriter>(MakeGrid(), version, fileType));
+    }
+  }
+}
+
+template <typename Value>
+void Append(std::string& bytes, Value value, const std::string& format)
+{
+  if (format == "ascii")
+  {
+    std::ostringstream text;
+    text << +value << ' ';
+    bytes += text.str();
+    return;
+  }
+  std::string raw(sizeof(Value), '\0');
+  std::memcpy(raw.data(), &value, sizeof(Value));
+  const std::uint16_t one = 1;
+  const bool isLittle = *reinterpret_cast<const char*>(&one) == 1;
+  if (isLittle == (format == "binary_big_endian"))
+  {
+    std::reverse(raw.begin(), raw.end());
+  }
+  bytes += raw;
+}
+
+/// vtkPLYWriter is in a module of its own.
+File Ply(const std::string& format)
+{
+  const std::string lineEnd = format == "ascii" ? "\n" : "";
+  std::string bytes = "ply\nformat " + format + " 1.0\nelement vertex " +
+    std::to_string(PointCount) + "\nproperty float x\nproperty float y\nproperty float z\n" +
+    "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto mesh = MakeMesh();
+  for (vtkIdType k = 0; k < PointCount; ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Append(bytes, static_cast<float>(mesh->GetPoint(k)[axis]), format);
+    }
+    bytes += lineEnd;
+  }
+  for (const auto& triangle : Triangles)
+  {
+    Append(bytes, std::uint8_t{ 3 }, format);
+    for (const vtkIdType id : triangle)
+    {
+      Append(bytes, static_cast<std::int32_t>(id), format);
+    }
+    bytes += lineEnd;
+  }
+  return { format + " ", ".ply", bytes };
+}
+
+/// A mesh that was read can be drawn as well.
+std::vector<double> ValuesOf(vtkPolyData* mesh)
+{
+  vtkNew<vtkLambentRayTracer> tracer;
+  tracer->SetImageSize(4, 4);
+  tracer->SetInputData(mesh);
+  tracer->Update();
+  std::vector<double> values;
+  for (vtkCellArray* const cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, ids);
+      values.push_back(static_cast<double>(ids->GetNumberOfIds()));
+      for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+      {
+        const double* const point = mesh->GetPoint(ids->GetId(k));
+        values.insert(values.end(), point, point + 3);
+      }
+    }
+  }
+  return values;
+}
+
+std::vector<double> ValuesOf(vtkImageData* image)
+{
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  std::vector<double> values;
+  for (vtkIdType k = 0; k < scalars->GetNumberOfValues(); ++k)
+  {
+    const int components = scalars->GetNumberOfComponents();
+    values.push_back(scalars->GetComponent(k / components, static_cast<int>(k % components)));
+  }
+  return values;
+}
+
+} // namespace
+
+Scratch::Scratch(const std::string& extension)
+  : path("TestBrokenFiles-" + std::to_string(getpid()) + extension)
+{
+}
+
+Scratch::~Scratch()
+{
+  std::remove(this->path.c_str());
+}
+
+std::string Scratch::read() const
+{
+  std::ifstream file(this->path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+void Scratch::write(const std::string& bytes) const
+{
+  std::ofstream(this->path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+std::vector<File> MakeFiles()
+{
+  std::vector<File> files;
+  AddXml(files);
+  AddLegacy(files);
+  for (const char* const format : { "ascii", "binary_little_endian", "binary_big_endian" })
+  {
+    files.push_back(Ply(format));
+  }
+  for (int fileType : { VTK_ASCII, VTK_BINARY })
+  {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileType(fileType);
+    files.push_back(
+      { fileType == VTK_ASCII ? "text " : "binary ", ".stl", Written(writer.Get(), MakeMesh()) });
+  }
+  files.push_back({ "", ".obj", Written(vtkNew<vtkOBJWriter>().Get(), MakeMesh()) });
+  files.push_back({ "", ".png", Written(vtkNew<vtkPNGWriter>().Get(), MakeImage()) });
+  return files;
+}
+
+Content Read(const Scratch& scratch, const std::string& bytes)
+{
+  scratch.write(bytes);
+  VtkMessages messages(true);
+  Content content;
+  try
+  {
+    Progress progress(false);
+    content.values = PictureKindOf(scratch.path)
+      ? ValuesOf(ReadPicture(scratch.path, messages))
+      : ValuesOf(ReadSurface(scratch.path, messages, progress));
+    testing::internal::CaptureStderr();
+    messages.FlushWarnings("");
+    content.warnings = testing::internal::GetCapturedStderr();
+  }
+  catch (const Failure& failure)
+  {
+    content.failure = failure.what();
+  }
+  return content;
+}
