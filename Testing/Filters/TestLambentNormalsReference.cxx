@@ -4,6 +4,7 @@
 // vtkLambentNormals against its definition, a plain serial loop, bit for bit: any
 // number of threads, any backend, any kind of cell and of number.
 
+#include "../Rendering/Backends.h"
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
 
@@ -22,9 +23,9 @@ namespace
 class Threads
 {
 public:
-  Threads(const char* backend, int count)
+  Threads(const std::string& backend, int count)
     : Before(vtkSMPTools::GetBackend())
-    , IsThere(vtkSMPTools::SetBackend(backend))
+    , IsThere(vtkSMPTools::SetBackend(backend.c_str()))
   {
     vtkSMPTools::Initialize(count);
   }
@@ -54,7 +55,7 @@ void compareOnAllThreads(vtkPolyData* mesh)
   for (int weighting = vtkLambentNormals::UNIFORM; weighting <= vtkLambentNormals::MAX; ++weighting)
   {
     const std::vector<float> expected = referenceNormals(mesh, weighting);
-    for (const char* backend : { "Sequential", "STDThread", "TBB" })
+    for (const std::string& backend : smpBackends())
     {
       for (int count : { 1, 2, 3, 8 })
       {

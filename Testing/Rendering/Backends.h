@@ -3,9 +3,14 @@
 /**
  * @file
  * @brief the backends that this vtkSMPTools was built with
+ *
+ * But for TBB under the thread sanitizer: TBB's library, which is not compiled with it, hands
+ * the work over, and all that a worker touches then looks like a race.
  */
 #ifndef Backends_h
 #define Backends_h
+
+#include "Sanitizers.h"
 
 #include "vtkSMP.h" // For VTK_SMP_ENABLE_...
 
@@ -22,7 +27,7 @@ inline std::vector<std::string> smpBackends()
 #if VTK_SMP_ENABLE_STDTHREAD
       "STDThread",
 #endif
-#if VTK_SMP_ENABLE_TBB
+#if VTK_SMP_ENABLE_TBB && !LAMBENT_THREAD_SANITIZER
       "TBB",
 #endif
 #if VTK_SMP_ENABLE_OPENMP
