@@ -81,8 +81,9 @@ TEST(BrokenFiles, WithABitTurned)
     SCOPED_TRACE(file.name + file.extension);
     const Scratch scratch(file.extension);
     std::size_t failures = 0;
-    // All of them would take minutes.
-    for (std::size_t bit = 0; bit<8 * file.bytes.size(); bit += file.bytes.size()> 999 ? 31 : 7)
+    const std::size_t bits = 8 * file.bytes.size();
+    const std::size_t step = bits > 8000 ? 31 : 7; // all of them would take minutes
+    for (std::size_t bit = 0; bit < bits; bit += step)
     {
       failures += !ReadsWithBitTurned(file, scratch, bit);
     }
