@@ -37,7 +37,8 @@ double residentMemory()
   return 0.0;
 }
 
-/// Does step(0), step(1), ... A kilobyte lost by each would show.
+/// Does step(0), step(1), ... A few kilobytes lost by each would show; how much more a process
+/// holds than it uses varies by less.
 void expectFlatMemory(const std::function<void(int)>& step)
 {
   int k = 0;
@@ -50,7 +51,7 @@ void expectFlatMemory(const std::function<void(int)>& step)
   {
     step(k);
   }
-  EXPECT_LE(residentMemory() - before, 1000.0 * kilobyte);
+  EXPECT_LE(residentMemory() - before, 4000.0 * kilobyte);
 }
 
 /// Meshes of different sizes, with normals, behind a filter of normals, without any, broken.
