@@ -4,8 +4,12 @@
 #include "CheckPng.h"
 #include "Messages.h"
 
+#include "vtk_png.h"
+
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <string>
 
 namespace lambent::command
 {
@@ -52,16 +56,10 @@ std::uint32_t BigEndian(std::string_view bytes)
   return value;
 }
 
-} // namespace
-
-void CheckPng(std::string_view bytes)
+/// Whether the chunks are whole: length, type, data, check sum each.
+void CheckChunks(std::string_view bytes)
 {
-  if (bytes.substr(0, Signature.size()) != Signature)
-  {
-    throw Failure("it is not a PNG file");
-  }
-  bytes.remove_prefix(Signature.size());
-  for (std::string_view type; type != "IEND";) // length, type, data, check sum
+  for (std::string_view type; type != "IEND";)
   {
     if (bytes.size() < 12 || BigEndian(bytes) > bytes.size() - 12)
     {
@@ -75,6 +73,37 @@ void CheckPng(std::string_view bytes)
     type = bytes.substr(4, 4);
     bytes.remove_prefix(12 + length);
   }
+}
+
+/// Whether pixels come out.
+void CheckPixels(std::string_view bytes)
+{
+  png_image image = {};
+  image.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> end(&image, png_image_free);
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()))
+  {
+    image.format = PNG_FORMAT_RGBA;
+    const std::size_t size = std::size_t(PNG_IMAGE_ROW_STRIDE(image)) * image.height;
+    const std::unique_ptr<char[]> pixels(new char[size]);
+    if (png_image_finish_read(&image, nullptr, pixels.get(), 0, nullptr))
+    {
+      return;
+    }
+  }
+  throw Failure("the file is damaged: " + std::string(image.message));
+}
+
+} // namespace
+
+void CheckPng(std::string_view bytes)
+{
+  if (bytes.substr(0, Signature.size()) != Signature)
+  {
+    throw Failure("it is not a PNG file");
+  }
+  CheckChunks(bytes.substr(Signature.size()));
+  CheckPixels(bytes);
 }
 
 } // namespace lambent::command

@@ -4,9 +4,11 @@
  * @file
  * @brief whether a PNG file is whole
  *
- * vtkPNGReader ends the process over a file that is cut short, or in which a byte has
- * changed. Both show in the chunks that a PNG is made of: each has a length and a
- * check sum, and the last is IEND (ISO/IEC 15948, 5).
+ * Whatever libpng finds wrong with a file ends the process in vtkPNGReader. So the file
+ * is looked over first. That it is cut short, or that a byte has changed, shows in the
+ * chunks that a PNG is made of: each has a length and a check sum, and the last is IEND
+ * (ISO/IEC 15948, 5). What a careless program may have written into whole chunks shows
+ * when libpng itself decodes them.
  */
 
 #ifndef CheckPng_h

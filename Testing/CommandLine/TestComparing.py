@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Comparing pictures: what is said of them, the exit status, the files that are written."""
 
+import base64
 import os
 import re
 import struct
@@ -9,17 +10,35 @@ import subprocess
 import unittest
 import zlib
 
-from commandline import COMMAND, CommandTest, SQUARE, TETRAHEDRON, obj
+from commandline import COMMAND, CommandTest, SQUARE, TETRAHEDRON, obj, xml_array
 
 
-def png(rows):
-    """A PNG file of rows of (r, g, b), the top row first."""
+def png_file(width, height, compressed, depth=8):
+    """A PNG file with a header, these pixels, and all check sums right."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    body = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
     return (b"\x89PNG\r\n\x1a\n" +
-            chunk(b"IHDR", struct.pack(">2I5B", len(rows[0]), len(rows), 8, 2, 0, 0, 0)) +
-            chunk(b"IDAT", zlib.compress(body)) + chunk(b"IEND", b""))
+            chunk(b"IHDR", struct.pack(">2I5B", width, height, depth, 2, 0, 0, 0)) +
+            chunk(b"IDAT", compressed) + chunk(b"IEND", b""))
+
+
+def png(rows, depth=8):
+    """A PNG file of rows of (r, g, b), of 8 or 16 bits, the top row first."""
+    kind = ">%dB" if depth == 8 else ">%dH"
+    body = b"".join(b"\0" + struct.pack(kind % (3 * len(row)), *[v for pixel in row for v in pixel])
+                    for row in rows)
+    return png_file(len(rows[0]), len(rows), zlib.compress(body), depth)
+
+
+def vti(pixels):
+    """A VTK image of floats, one row of (r, g, b); of none it has no scalars."""
+    extent = "0 %d 0 0 0 0" % (max(len(pixels), 1) - 1)
+    scalars = xml_array("Color", "Float32", [v for pixel in pixels for v in pixel], 3)
+    return ('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">'
+            '<ImageData WholeExtent="%s" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="%s">' %
+            (extent, extent) +
+            ('<PointData Scalars="Color">%s</PointData>' % scalars if pixels else "") +
+            "</Piece></ImageData></VTKFile>\n")
 
 
 def grey(width, height, changes=()):
@@ -103,6 +122,8 @@ class TestPictures(CompareTest):
         self.assertEqual(self.compare(0, "compare", "other.png", "base.png", **environment),
                          ["all of 35 pixels are the same"])
         self.compare(1, "compare", "same.png", "base.png", LAMBENT_UPDATE_BASELINES="0")
+        self.compare(0, "compare", "other.png", "new.vti", **environment)  # of another kind
+        self.compare(0, "compare", "other.png", "new.vti")
 
     def test_difference(self):
         self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png")
@@ -122,9 +143,28 @@ class TestPictures(CompareTest):
                 line = self.fail_with(1, "compare", *names)
                 self.assertIn("'broken.png'", line)
                 self.assertIn(words, line)
+        self.assertIn("XML", self.fail_with(1, "compare", self.write("a.vti", "<VTKFile>"), "base.png"))
+        self.assertIn("no point scalars",
+                      self.fail_with(1, "compare", self.write("a.vti", vti([])), "base.png"))
         os.mkdir(self.path("folder.png"))
         self.assertIn("folder", self.fail_with(1, "compare", "folder.png", "base.png"))
         self.assertIn("no such file", self.fail_with(1, "compare", "none.png", "base.png"))
+
+    def test_pixels_that_cannot_be_decoded(self):
+        """In chunks that are whole. vtkPNGReader does not survive that."""
+        rows = zlib.compress(5 * (b"\0" + 21 * b"d"))
+        for compressed in (b"these are no pixels", rows[:-8], zlib.compress(b"\0" + 21 * b"d"),
+                           zlib.compress(5 * (b"\7" + 21 * b"d"))):  # there are filters 0 to 4
+            self.write("broken.png", png_file(7, 5, compressed))
+            for names in (("compare", "broken.png", "base.png"), ("--recreate", "broken.png"),
+                          ("compare", "base.png", "broken.png", "--report", "r.html")):
+                line = self.fail_with(1, *names)
+                self.assertIn("'broken.png'", line)
+                self.assertIn("damaged", line)
+        self.assertIn("damaged", self.fail_with(1, "compare", "base.png", self.write(
+            "broken.png", png_file(0, 5, rows))))
+        self.write("other.png", png_file(7, 5, rows))
+        self.compare(0, "compare", "other.png", "base.png")
 
     def test_wrong_usage(self):
         for arguments in ((), ("same.png",), ("same.png", "base.png", "third.png"),
@@ -169,6 +209,29 @@ class TestReport(CompareTest):
             ("failed", "other.png",
              "2 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)")])
 
+    def test_pictures_of_other_types_are_shown_in_bytes(self):
+        grey16 = (0, 128, 129, 257, 25700, 65535)
+        of_floats = (-1, 0, 0.5, 1, 2)
+        cases = (("x.png", png([[(v, v, v) for v in grey16]], 16), png([6 * [(9, 9, 9)]], 16),
+                  (0, 0, 1, 1, 100, 255)),
+                 ("x.vti", vti([(v, v, v) for v in of_floats]), vti(5 * [(9, 9, 9)]),
+                  (0, 0, 128, 255, 255)))
+        for name, picture, baseline, shown in cases:
+            self.write(name, picture)
+            self.write("b" + name, baseline)
+            self.compare(1, "compare", name, "b" + name, "--report", "r.html", "--name", name)
+            page = self.read("r.html").decode()
+            first = page[page.index("<h2>" + name):].split("base64,")[1].split('"')[0]
+            self.write("shown.png", base64.b64decode(first))
+            self.write("expected.png", png([[(v, v, v) for v in shown]]))
+            self.assertEqual(self.compare(0, "compare", "shown.png", "expected.png"),
+                             ["all of %d pixels are the same" % len(shown)])
+
+    def test_names_are_text(self):
+        self.compare(0, "compare", "same.png", "base.png", "--report", "r.html", "--name",
+                     '<b> & "c"')
+        self.assertEqual(self.sections()[0][1], "&lt;b&gt; &amp; &quot;c&quot;")
+
     def test_a_name_has_one_section(self):
         self.compare(1, "compare", "other.png", "base.png", "--report", "r.html", "--name", "a & b")
         self.compare(1, "compare", "other.png", "base.png", "--report", "r.html", "--name", "a")
@@ -189,6 +252,8 @@ class TestReport(CompareTest):
         line = self.fail_with(1, "compare", "same.png", "base.png", "--report", "r.html")
         self.assertIn("r.html", line)
         self.assertEqual(self.read("r.html"), b"<html>my own page</html>")
+        line = self.fail_with(1, "compare", "same.png", "base.png", "--report", "no/r.html")
+        self.assertIn("cannot write the report 'no/r.html': No such file", line)
 
 
 class TestDrawing(CompareTest):
@@ -225,8 +290,12 @@ class TestDrawing(CompareTest):
                          "the changed pixels show cell 0 of 'square.obj'")
         self.assertIn("<tr><td>square.obj</td><td>0</td><td>2</td><td>(6, 0)</td></tr>",
                       self.read("r.html").decode())
-        rows[0][0] = (0, 0, 0)
+        rows[0][0] = rows[0][1] = rows[1][0] = (0, 0, 0)
         self.write("b.png", png(rows))
+        self.compare(1, *self.SQUARE_VIEW, "--compare", "b.png", "--report", "r.html")
+        self.assertIn("<tr><td>square.obj</td><td>1</td><td>3</td><td>(0, 6)</td></tr>\n"
+                      "<tr><td>square.obj</td><td>0</td><td>2</td><td>(6, 0)</td></tr>",
+                      self.read("r.html").decode())  # the cell of the most pixels first
         lines = self.compare(1, "square.obj", "tetrahedron.obj", "--parallel-scale", "1",
                              "--focal-point", "0,0,0", "--compare", "b.png")
         self.assertEqual(  # of the tetrahedron all but the base
