@@ -70,6 +70,16 @@ class TestWriting(CommandTest):
         self.assertEqual(len(done.stderr.splitlines()), 1)
         self.assertIn(b"cannot write to standard output: No space left", done.stderr)
 
+    def test_a_terminal_gets_no_picture(self):
+        master, terminal = os.openpty()
+        self.addCleanup(os.close, master)
+        with open(terminal, "wb") as out:
+            done = subprocess.run([COMMAND, "mesh.obj", "-o", "-"], cwd=self.folder, stdout=out,
+                                  stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.decode(), "lambent: cannot write to standard output: it is a "
+                                               "terminal; send it to a file or a pipe\n")
+
     def test_an_existing_picture_is_replaced_whole(self):
         self.write("x.png", "old")
         os.chmod(self.path("x.png"), 0o640)

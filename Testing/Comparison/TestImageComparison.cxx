@@ -8,14 +8,13 @@
 
 #include "../Rendering/Messages.h"
 
-#include "vtkFloatArray.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -114,6 +113,9 @@ TEST(ImageComparison, RootMeanSquareIsHeldAgainstTheTolerance)
   EXPECT_FALSE(compare(a, b, 1.7320, metric)->GetPassed());
   EXPECT_FALSE(compare(a, b, 0.0, metric)->GetPassed());
   EXPECT_TRUE(compare(b, b, 0.0, metric)->GetPassed());
+  EXPECT_STREQ(compare(a, b, 1.0, metric)->GetMessage(),
+    "1 of 4 pixels differ, by at most 6 of 255; the first is (1, 1); the root mean square is "
+    "1.73205; the tolerance of 1 is exceeded");
 }
 
 TEST(ImageComparison, AnotherSizeFailsAndBothAreNamed)
@@ -218,6 +220,32 @@ TEST(ImageComparison, HighlightShowsTheSmallestDifference)
       EXPECT_EQ(output->GetScalarComponentAsDouble(x, 0, 0, channel), expected[x][channel]) << x;
     }
   }
+}
+
+// PrintSelf() names every setting and result, with its value.
+TEST(ImageComparison, PrintSelfIsWhole)
+{
+  const auto printed = [](vtkLambentImageComparison* c)
+  {
+    std::ostringstream text;
+    c->Print(text);
+    return text.str();
+  };
+  const auto c = compare(grey(4, 3, { { 2, 1, 0, 94 } }), grey(4, 3), 7.5);
+  c->HighlightOn();
+  for (const char* part : { "Metric: MaximumDifference\n", "Tolerance: 7.5\n", "Highlight: On\n",
+         "Passed: Yes\n", "MaximumDifference: 6\n", "RootMeanSquare: 1\n",
+         "StructuralSimilarity: nan\n", "NumberOfChangedPixels: 1\n",
+         "ChangedExtent: (2, 2, 1, 1)\n", "Message: 1 of 12 pixels differ" })
+  {
+    EXPECT_NE(printed(c).find(part), std::string::npos) << part << " in\n" << printed(c);
+  }
+  c->SetMetricToRootMeanSquare();
+  EXPECT_NE(printed(c).find("Metric: RootMeanSquare\n"), std::string::npos);
+  c->SetMetricToStructuralSimilarity();
+  EXPECT_NE(printed(c).find("Metric: StructuralSimilarity\n"), std::string::npos);
+  c->SetMetricToMaximumDifference();
+  EXPECT_STREQ(c->GetMetricAsString(), "MaximumDifference");
 }
 
 TEST(ImageComparison, ResultsDoNotDependOnThreads)

@@ -209,6 +209,41 @@ TEST(BruteForce, EqualsSeveralRounds)
   }
 }
 
+// So many cells that they are processed in several batches, after each of which progress is told.
+TEST(BruteForce, EqualsSeveralBatchesOfCells)
+{
+  for (unsigned int seed : { 0u, 5u })
+  {
+    RandomScene random = makeRandomScene(seed);
+    random.width = 150;
+    random.height = 120;
+    const Picture reference =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallCells(0))), 0u)
+      << describe(seed, random);
+  }
+}
+
+// Of more than 15 bits of columns, where points are placed between groups of rays.
+TEST(BruteForce, EqualsAVeryWideImage)
+{
+  std::size_t hits = 0;
+  for (unsigned int seed = 0; seed < randomSceneKinds; ++seed)
+  {
+    RandomScene random = makeRandomScene(seed);
+    random.width = 40000;
+    random.height = 2;
+    random.scene.camera.horizontalViewAngle = true;
+    const Picture reference =
+      makePicture(random, whole(random), Settings::bruteForce(whole(random)));
+    hits += random.width * random.height -
+      std::count(reference.triangles.begin(), reference.triangles.end(), noTriangle);
+    EXPECT_EQ(differences(reference, makePicture(random, whole(random), Settings())), 0u)
+      << describe(seed, random);
+  }
+  EXPECT_GT(hits, 10000u);
+}
+
 // Cells of many triangles are split among the workers.
 TEST(BruteForce, EqualsSplitCells)
 {

@@ -255,6 +255,27 @@ TEST(PointLattice, SaysSoWhereThereIsNoPlace)
   EXPECT_EQ(lattice.locate(Vec3(1e308, 1e308, -1e308)).column == LatticePosition::notFinite, false);
 }
 
+// So wide a view, and a point so far away, that its place is infinity times zero.
+TEST(PointLattice, APlaceThatIsNotANumberIsAnywhere)
+{
+  Camera camera;
+  camera.position = Vec3(0.0);
+  camera.focalPoint = { 0.0, 0.0, -1.0 };
+  camera.viewUp = { -1.0, 1.0, 0.0 };
+  camera.viewAngle = std::nextafter(180.0, 0.0);
+  const PointLattice lattice(CameraFrame(camera, 1, 1), { 0, 1, 0, 1 });
+  ASSERT_TRUE(lattice.isPrecise());
+  for (const double side : { -1.7e308, 1.7e308 })
+  {
+    const LatticePosition wide = lattice.locate({ side, side, -1.7e308 });
+    EXPECT_EQ(wide.column, LatticePosition::anywhere);
+    EXPECT_EQ(wide.row, LatticePosition::anywhere);
+    const LatticePosition high = lattice.locate({ side, -side, -1.7e308 });
+    EXPECT_EQ(high.column, LatticePosition::anywhere);
+    EXPECT_EQ(high.row, LatticePosition::anywhere);
+  }
+}
+
 // Beyond 15 bits rays are counted in groups; none is lost.
 TEST(PointLattice, LargeImages)
 {

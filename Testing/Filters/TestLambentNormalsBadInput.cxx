@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
 
@@ -71,6 +72,20 @@ TEST(LambentNormalsBadInput, PointThatDoesNotExist)
     normals->SplittingOff();
     expectNextGoodUpdateWorks(normals, messages);
   }
+}
+
+// vtkPoints refuses an array of two components, but not that the array changes.
+TEST(LambentNormalsBadInput, PointsOfTwoComponents)
+{
+  vtkSmartPointer<vtkPolyData> cube = makeCube();
+  cube->GetPoints()->GetData()->SetNumberOfComponents(2);
+  vtkNew<vtkLambentNormals> normals;
+  const Messages messages(normals);
+  normals->SetInputData(cube);
+  normals->Update();
+  expectParts(messages.errors, { "points have 2 components, not 3" });
+  EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0);
+  expectNextGoodUpdateWorks(normals, messages);
 }
 
 TEST(LambentNormalsBadInput, PointThatDoesNotExistInEveryKindOfCell)

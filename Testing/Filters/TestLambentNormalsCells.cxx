@@ -101,6 +101,27 @@ TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyWhereTheyMust)
   }
 }
 
+// Whose squares vanish, so that their angle cannot be told. The other corners are none the worse.
+TEST(LambentNormalsCells, CornersBetweenVanishingEdgesAddNothing)
+{
+  constexpr double tiny = 1e-90;
+  for (int weighting : { vtkLambentNormals::ANGLE, vtkLambentNormals::MAX })
+  {
+    vtkNew<vtkLambentNormals> normals;
+    normals->SetInputData(makeMesh(
+      { { 0, 0, 0 }, { tiny, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, tiny, 0 } },
+      { { 0, 1, 2, 3, 4, 5 } }));
+    normals->SetWeighting(weighting);
+    normals->Update();
+    vtkDataArray* found = normals->GetOutput()->GetPointData()->GetNormals();
+    EXPECT_EQ(tupleOf(found, 0), (Vector{ 0, 0, 0 })) << weighting;
+    for (vtkIdType point : { 2, 3, 4 })
+    {
+      EXPECT_EQ(tupleOf(found, point), (Vector{ 0, 0, 1 })) << weighting << ", point " << point;
+    }
+  }
+}
+
 TEST(LambentNormalsCells, InputIsNeverModified)
 {
   vtkSmartPointer<vtkPolyData> mesh = makeCube();

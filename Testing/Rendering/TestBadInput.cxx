@@ -74,6 +74,15 @@ TEST(BadInput, CellsWithoutAnyPoints)
   expectError(mesh, { "cell 0 ", "names point 0", "no points" });
 }
 
+// vtkPoints refuses an array of two components, but not that the array changes.
+TEST(BadInput, PointsOfTwoComponents)
+{
+  Mesh mesh = makeSquare();
+  mesh->GetPoints()->GetData()->SetNumberOfComponents(2);
+  mesh->GetPoints()->GetData()->SetNumberOfTuples(4);
+  expectError(mesh, { "points have 2 components, not 3" });
+}
+
 TEST(BadInput, PointNormals)
 {
   Mesh mesh = makeSquare();

@@ -109,6 +109,29 @@ TEST(Progress, AbortAtAnyMoment)
   }
 }
 
+// An abort that comes before or while normals are computed ends that, too, and is no error.
+TEST(Progress, AbortBeforeNormalsAreComputed)
+{
+  Studio studio(200, 100);
+  const Mesh mesh = makeSphere(50);
+  mesh->GetPointData()->SetNormals(nullptr);
+  studio.tracer->SetInputData(mesh);
+  const Picture expected = render(studio.tracer);
+  const Messages messages(studio.tracer);
+  Watcher watcher(studio.tracer);
+  watcher.abortAt = -1.0; // as soon as it begins
+  studio.tracer->Modified();
+  studio.tracer->Update();
+  EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(messages.errors(), std::vector<std::string>());
+  watcher.abortAt = 2.0;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  studio.tracer->AbortExecuteOff(); // older executives do that themselves
+#endif
+  const Picture again = render(studio.tracer);
+  EXPECT_SAME_BITS(expected, again);
+}
+
 // The executive tells of 1 in any case; the picture's own making does too.
 TEST(Progress, OfThePictureItselfRisesToOne)
 {

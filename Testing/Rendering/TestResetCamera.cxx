@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ResetCamera(), and the view without a camera, frame the inputs as vtkRenderer does.
 #include "Meshes.h"
+#include "Messages.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -156,5 +157,19 @@ TEST(ResetCamera, OfNothingLeavesTheCamera)
   studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });
   studio.tracer->SetInputData(makeMesh({}, {}));
   studio.tracer->ResetCamera();
+  EXPECT_EQ(studio.position(), Vec(1.0, 2.0, 9.0));
+}
+
+TEST(ResetCamera, OfABrokenMeshIsAnErrorAndLeavesTheCamera)
+{
+  Studio studio(60, 40);
+  studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });
+  const Mesh mesh = makeSubject();
+  mesh->GetPoints()->GetData()->SetNumberOfComponents(2);
+  studio.tracer->AddInputDataObject(makeBox(4.0, 1.0, 1.0));
+  studio.tracer->AddInputDataObject(mesh);
+  const Messages messages(studio.tracer);
+  studio.tracer->ResetCamera();
+  expectMessage(messages.errors(), { "Input 1:", "points have 2 components, not 3" });
   EXPECT_EQ(studio.position(), Vec(1.0, 2.0, 9.0));
 }
