@@ -233,6 +233,9 @@ TEST(Contract, NumbersThatAreNoneAreNotHit)
       }
     }
   }
+  // So far away that the sum of the depths overflows.
+  EXPECT_FALSE(intersect({ -10.0, -10.0, 1e308, 1.0 }, { 20.0, -10.0, 1e308, 1.0 },
+    { -10.0, 20.0, 1e308, 1.0 }, 0.0, 0.0, hit));
 }
 
 TEST(Contract, Bytes)

@@ -109,6 +109,33 @@ TEST(StrictArithmetic, CameraFrameIsComputedAsWritten)
   }
 }
 
+// Where the image's centre lies anywhere, so that every operation rounds.
+TEST(StrictArithmetic, RaysAreComputedAsWritten)
+{
+  std::mt19937_64 random(2);
+  const auto number = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  for (int k = 0; k < 1000; ++k)
+  {
+    Camera camera;
+    camera.windowCenter[0] = number();
+    camera.windowCenter[1] = number();
+    camera.viewAngle = 10.0 + 150.0 * number();
+    const CameraFrame frame(camera, 641, 479);
+    const Stored halfWidth = 0.5 * 641, halfHeight = 0.5 * 479, half = 0.5, pixel = frame.pixel;
+    const Stored centerX = halfWidth - halfWidth * camera.windowCenter[0];
+    const Stored centerY = halfHeight - halfHeight * camera.windowCenter[1];
+    EXPECT_EQ(frame.centerX, centerX.value);
+    EXPECT_EQ(frame.centerY, centerY.value);
+    for (const int i : { 0, 3, 100, 478 })
+    {
+      const Stored x = ((Stored(i) + half) - centerX) * pixel;
+      const Stored y = ((Stored(i) + half) - centerY) * pixel;
+      EXPECT_EQ(frame.x(i), x.value);
+      EXPECT_EQ(frame.y(i), y.value);
+    }
+  }
+}
+
 TEST(StrictArithmetic, NotANumberIsNoticed)
 {
   Camera camera;

@@ -3,7 +3,8 @@
 """What run.py breaks: (file, text that is there once, what it becomes, what that breaks).
 
 Bounds are broken in the direction in which they keep too little; where they keep too much only
-time is lost, and no test can tell.
+time is lost, and no test can tell. Nor can one where another condition says the same: a triangle
+whose edge functions sum to zero is not hit, and its depth, 0 / 0, would not let it be.
 """
 
 CONTRACT = "Rendering/Core/ImageContract.h"
@@ -52,14 +53,16 @@ MUTATIONS = [
      "hit.e0 * a.z + (hit.e1 * b.z + hit.e2 * c.z)", "the depth sums in its order"),
     (CONTRACT, "hit.sum != 0.0 && hit.depth > 0.0", "hit.sum != 0.0",
      "what lies behind the eye is not hit"),
-    (CONTRACT, "hit.sum != 0.0 && ", "", "no area is not hit"),
+    (CONTRACT, " && hit.depth < std::numeric_limits<double>::infinity();", ";",
+     "depths that overflow are not hit"),
     (CONTRACT, "255.0 * clamped + 0.5", "255.0 * clamped + 0.499", "bytes are rounded"),
     (CONTRACT, "(value < 1.0 ? value : 1.0)", "value", "bytes are clamped"),
     # The camera.
     (FRAME, "return ((i + 0.5) - this->centerX) * this->pixel;",
      "return (i - this->centerX) * this->pixel;", "rays go through the centres of columns"),
     (FRAME, "return ((j + 0.5) - this->centerY) * this->pixel;",
-     "return (j + (0.5 - this->centerY)) * this->pixel;", "y is computed in its order"),
+     "return (j + 0.5) * this->pixel - this->centerY * this->pixel;",
+     "rows are moved before they are scaled"),
     (FRAME, "this->parallel ? 1.0 : z };", "z };", "parallel views do not divide"),
     (FRAME, "this->parallel ? across + this->forward * depth", "this->parallel ? across",
      "points of a parallel view have a depth"),
