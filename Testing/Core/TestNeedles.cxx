@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles so thin that their edge functions round to zero along the line that they lie on. In an
+// ordinary view no ray beyond their ends is tried. Where pixels are so small that points have no
+// place between them every ray is, and the kernel has to know by itself where a needle ends.
+#include "RandomNumbers.h"
+#include "Render.h"
+#include "VectorTarget.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace lambent;
+
+namespace
+{
+constexpr int side = 31;
+const double scale = std::ldexp(1.0, -210); // of the view, beyond what PointLattice calls precise
+
+/// Needles from the middle towards the rays around it, and not quite up to them.
+std::vector<double> makeNeedles(int count, const CameraFrame& frame)
+{
+  RandomNumbers random(5);
+  std::vector<double> points;
+  for (int k = 0; k < count; ++k)
+  {
+    const double length = random.within(0.3, 0.95);
+    const double x = length * frame.x(side / 2 + random.below(5) - 2);
+    const double y = length * frame.y(side / 2 + random.below(5) - 2);
+    points.insert(points.end(), { 0.0, 0.0, 0.0, x, y, 0.0, x, std::nextafter(y, 1.0), 0.0 });
+  }
+  return points;
+}
+
+std::vector<std::uint32_t> findTriangles(const Scene& scene, const Settings& settings)
+{
+  std::vector<std::uint32_t> triangles(side * side);
+  std::vector<float> floats(3 * side * side);
+  Image image;
+  image.width = image.height = side;
+  image.part = { 0, side, 0, side };
+  image.floats = floats.data();
+  image.triangles = triangles.data();
+  render(scene, image, Parallel(), nullptr, settings);
+  return triangles;
+}
+}
+
+TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
+{
+  constexpr int count = 400;
+  Scene scene;
+  scene.camera.parallel = true;
+  scene.camera.parallelScale = scale;
+  const std::vector<double> points = makeNeedles(count, CameraFrame(scene.camera, side, side));
+  std::vector<std::int32_t> corners(3 * count);
+  std::iota(corners.begin(), corners.end(), 0);
+  Surface surface;
+  surface.points = { points.data(), true, corners.size() };
+  surface.corners = { corners.data(), false, corners.size() };
+  scene.surfaces.push_back(surface);
+
+  const std::vector<std::uint32_t> expected =
+    findTriangles(scene, Settings::bruteForce({ 0, side, 0, side }));
+  EXPECT_NE(expected[side * (side / 2) + side / 2], noTriangle); // where all of them begin
+  EXPECT_LT(std::count_if(expected.begin(), expected.end(),
+              [](std::uint32_t triangle) { return triangle != noTriangle; }),
+    10); // rays beyond their ends are along their lines
+  const std::string before = vectorTargetInUse();
+  for (const std::string& target : vectorTargets())
+  {
+    ASSERT_TRUE(useVectorTarget(target));
+    EXPECT_EQ(findTriangles(scene, Settings()), expected) << target;
+  }
+  useVectorTarget(before);
+}
