@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Layers so near to each other that floats can hardly tell, or cannot tell, which is in front.
+#include "Render.h"
+#include "VectorTarget.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace lambent;
+
+namespace
+{
+constexpr int side = 40;
+
+/// Two layers of triangles of a few pixels that face the viewer, and what can be seen of them.
+struct Layers
+{
+  std::vector<double> points;
+  std::vector<std::int32_t> corners;
+  Scene scene;
+
+  Layers(double depth, double otherDepth, double size, bool parallel)
+  {
+    this->scene.camera.position = Vec3(0.0);
+    this->scene.camera.focalPoint = { 0.0, 0.0, -1.0 };
+    this->scene.camera.parallel = parallel;
+    for (const double d : { depth, otherDepth })
+    {
+      const double step = size * (parallel ? 1.0 : 0.25 * d);
+      for (int k = -12; k < 12; ++k)
+      {
+        for (int l = -12; l < 12; ++l)
+        {
+          const double x = k * step, y = l * step;
+          this->points.insert(
+            this->points.end(), { x, y, -d, x + 1.9 * step, y, -d, x, y + 1.9 * step, -d });
+        }
+      }
+    }
+    this->corners.resize(this->points.size() / 3);
+    std::iota(this->corners.begin(), this->corners.end(), 0);
+    Surface surface;
+    surface.points = { this->points.data(), true, this->corners.size() };
+    surface.corners = { this->corners.data(), false, this->corners.size() };
+    this->scene.surfaces.push_back(surface);
+  }
+
+  std::vector<std::uint32_t> visible(const Settings& settings) const
+  {
+    std::vector<std::uint32_t> triangles(side * side);
+    std::vector<float> floats(3 * side * side);
+    Image image;
+    image.width = image.height = side;
+    image.part = { 0, side, 0, side };
+    image.floats = floats.data();
+    image.triangles = triangles.data();
+    render(this->scene, image, Parallel(), nullptr, settings);
+    return triangles;
+  }
+};
+}
+
+TEST(NearLayers, AreToldApartInEveryInstructionSet)
+{
+  const std::string before = vectorTargetInUse();
+  for (const std::string& target : vectorTargets())
+  {
+    ASSERT_TRUE(useVectorTarget(target));
+    for (int k = -20; k <= 20; ++k)
+    {
+      for (const double size : { 0.05, 0.2, 0.9 })
+      {
+        const double depth = 1.0 + 0.07 * (k + 20);
+        const Layers layers(depth, depth * (1.0 + std::ldexp(k, -24)), size, k % 3 == 0);
+        EXPECT_EQ(
+          layers.visible(Settings()), layers.visible(Settings::bruteForce({ 0, side, 0, side })))
+          << target << ", " << k << ", " << size;
+      }
+    }
+  }
+  useVectorTarget(before);
+}
