@@ -4,8 +4,8 @@
  * @file
  * @brief loops over pieces of a range, with checkpoints between parts of it
  *
- * A part takes some ten milliseconds at most, so that who watches the work sees it go on
- * and can stop it.
+ * A part takes some ten milliseconds, so that who watches the work sees it go on and can
+ * stop it.
  */
 #ifndef lambent_Chunks_h
 #define lambent_Chunks_h
@@ -18,7 +18,7 @@
 namespace lambent
 {
 /// How many points or faces are gone through between two checkpoints.
-constexpr std::size_t itemsPerPart = 256 * 1024;
+constexpr std::size_t itemsPerPart = 512 * 1024;
 
 inline std::size_t chunkCount(std::size_t count, std::size_t chunkSize)
 {
@@ -48,13 +48,14 @@ private:
   const double Begin, End;
 };
 
-/// Calls body(begin, end) for one part of [0, count) after the other.
-template <typename Body>
+/// Calls body(begin, end) for one part of [0, count) after the other. Where an item takes
+/// longer than usual, a part can have fewer.
+template <std::size_t partSize = itemsPerPart, typename Body>
 void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
 {
-  for (std::size_t begin = 0; begin < count; begin += itemsPerPart)
+  for (std::size_t begin = 0; begin < count; begin += partSize)
   {
-    const std::size_t end = std::min(count, begin + itemsPerPart);
+    const std::size_t end = std::min(count, begin + partSize);
     body(begin, end);
     parallel.checkpoint(static_cast<double>(end) / static_cast<double>(count));
   }
@@ -62,11 +63,11 @@ void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
 
 /// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up
 /// to count, in any order. A part is a number of whole chunks.
-template <std::size_t chunkSize, typename Body>
+template <std::size_t chunkSize, std::size_t partSize = itemsPerPart, typename Body>
 void forEachChunk(const Parallel& parallel, std::size_t count, Body&& body)
 {
-  static_assert(itemsPerPart % chunkSize == 0);
-  forEachPart(parallel, count,
+  static_assert(partSize % chunkSize == 0);
+  forEachPart<partSize>(parallel, count,
     [&](std::size_t partBegin, std::size_t partEnd)
     {
       forEach(parallel, partBegin / chunkSize, chunkCount(partEnd, chunkSize),

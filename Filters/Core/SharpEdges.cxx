@@ -13,6 +13,7 @@ namespace lambent
 namespace
 {
 constexpr std::size_t PointsPerChunk = 2048;
+constexpr std::size_t PartSize = itemsPerPart / 4; // much is done for each point
 
 /// Large arrays are not vectors: those would write all of it twice, the first time in one go.
 template <typename Item>
@@ -46,7 +47,7 @@ CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
       const auto count = cells.offsets[cellCount(faces.cells)];
       result.cornerCount = static_cast<std::size_t>(count);
       result.corners = makeUnwritten<Corner>(result.cornerCount);
-      forEachPart(Share(parallel, 0.0, 0.3), static_cast<std::size_t>(count - first),
+      forEachPart<PartSize>(Share(parallel, 0.0, 0.3), static_cast<std::size_t>(count - first),
         [&](std::size_t begin, std::size_t end)
         {
           std::for_each(cells.corners + first + begin, cells.corners + first + end,
@@ -54,7 +55,7 @@ CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
         });
       std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
       std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
-      forEachPart(Share(parallel, 0.3, 1.0), cellCount(faces.cells),
+      forEachPart<PartSize>(Share(parallel, 0.3, 1.0), cellCount(faces.cells),
         [&](std::size_t begin, std::size_t end)
         {
           for (std::size_t face = begin; face < end; ++face)
@@ -204,7 +205,7 @@ std::unique_ptr<int[]> groupCorners(const Faces& faces, const CornersOfPoints& p
   visit(faces.cells,
     [&](auto cells)
     {
-      forEachChunk<PointsPerChunk>(Share(parallel, 0.2, 1.0), faces.points.size,
+      forEachChunk<PointsPerChunk, PartSize>(Share(parallel, 0.2, 1.0), faces.points.size,
         [&](std::size_t begin, std::size_t end)
         {
           Grouping grouping(normals.get(), featureAngle);
@@ -242,7 +243,7 @@ SplitMesh splitSharpEdges(const Faces& faces, double featureAngle, const Paralle
 
   result.connectivity.resize(points.cornerCount);
   result.copiedPoints.resize(static_cast<std::size_t>(firstCopy.back()));
-  forEachChunk<PointsPerChunk>(Share(parallel, 0.8, 1.0), pointCount,
+  forEachChunk<PointsPerChunk, PartSize>(Share(parallel, 0.8, 1.0), pointCount,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t point = begin; point < end; ++point)

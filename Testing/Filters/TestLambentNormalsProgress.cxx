@@ -131,7 +131,7 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
 // Each pass over the faces is told of in parts.
 TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
 {
-  constexpr int resolution = 650;
+  constexpr int resolution = 900;
   constexpr std::size_t parts = 2u * resolution * resolution / lambent::itemsPerPart;
   static_assert(parts > 2);
   const int passes[] = { 1, 2, 5, 5, 2 };
