@@ -5,6 +5,7 @@ unittest with baselines."""
 
 import os
 import re
+import stat
 import tempfile
 import unittest
 
@@ -20,6 +21,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from lambent import vtkLambentImageComparison, vtkLambentRayTracer
 from lambent.testing import assert_images_equal, assert_matches_baseline
+from lambent.testing.pictures import write_file
 
 WIDTH, HEIGHT = 3, 2
 
@@ -166,6 +168,15 @@ class Equality(unittest.TestCase):
                 assert_images_equal(image(), image(), **options)
             with self.assertRaisesRegex(error, re.escape(text)):
                 assert_matches_baseline(image(), "never", **options)
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "needs pipes with a name")
+    def test_a_pipe_is_written_to_and_stays(self):
+        path = self.path("pipe")
+        os.mkfifo(path)
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as reader:
+            write_file(path, b"content")
+            self.assertEqual(reader.read(), b"content")
+        self.assertTrue(stat.S_ISFIFO(os.stat(path).st_mode))
 
     def test_what_is_no_picture_is_an_error(self):
         solid = vtkImageData()

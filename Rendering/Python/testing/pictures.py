@@ -69,7 +69,11 @@ def png_of(image):
 
 def write_file(path, content):
     """Write a file whole or not at all: whoever reads it meanwhile, or writes it as well, sees one
-    version or another."""
+    version or another. A device or a pipe is written to, not replaced."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        with open(path, "wb") as file:
+            file.write(content)
+        return
     os.makedirs(os.path.dirname(path), exist_ok=True)
     part = "%s.%s.part" % (path, secrets.token_hex(4))
     try:
