@@ -221,7 +221,7 @@ void Cells::paint(const CellRays& rays, Memory& memory) const
 {
   if (this->Kernels)
   {
-    this->Painter.paint(rays, memory.hits);
+    this->Painter.paint(rays, memory.pieces);
   }
   else
   {

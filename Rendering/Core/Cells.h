@@ -65,7 +65,7 @@ private:
   {
     CellRays rays;
     CastBatch triangles;
-    ShadeBatch hits;
+    ShadeBatch pieces;
   };
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int cell) const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Of rays that pass edges as near as float can tell, none is called certain that is not.
 #include "Coverage.h"
+#include "InstructionSets.h"
 #include "RandomNumbers.h"
-#include "VectorTarget.h"
 
 #include <gtest/gtest.h>
 
@@ -127,29 +127,22 @@ int compare(const View& view, RandomNumbers& random)
 
 TEST(Coverage, IsCertainOnlyWhereItIs)
 {
-  const std::string before = vectorTargetInUse();
-  for (const std::string& target : vectorTargets())
-  {
-    if (target == "plain")
+  onAllTargets(
+    []()
     {
-      continue;
-    }
-    SCOPED_TRACE(target);
-    ASSERT_TRUE(useVectorTarget(target));
-    for (bool parallel : { false, true })
-    {
-      Camera camera;
-      camera.position = { 0.3, -0.2, 1.0 };
-      camera.parallel = parallel;
-      const View view(camera);
-      RandomNumbers random(7);
-      int certain = 0;
-      for (int k = 0; k < 10000; ++k)
+      for (bool parallel : { false, true })
       {
-        certain += compare(view, random);
+        Camera camera;
+        camera.position = { 0.3, -0.2, 1.0 };
+        camera.parallel = parallel;
+        const View view(camera);
+        RandomNumbers random(7);
+        int certain = 0;
+        for (int k = 0; k < 10000; ++k)
+        {
+          certain += compare(view, random);
+        }
+        EXPECT_GT(certain, 20000);
       }
-      EXPECT_GT(certain, 20000);
-    }
-  }
-  useVectorTarget(before);
+    });
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Layers so near to each other that floats can hardly tell, or cannot tell, which is in front.
-#include "Render.h"
-#include "VectorTarget.h"
+#include "InstructionSets.h"
+#include "VisibleTriangles.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace
 {
 constexpr int side = 40;
 
-/// Two layers of triangles of a few pixels that face the viewer, and what can be seen of them.
+/// Two layers of triangles of a few pixels that face the viewer.
 struct Layers
 {
   std::vector<double> points;
@@ -47,39 +47,24 @@ struct Layers
     surface.corners = { this->corners.data(), false, this->corners.size() };
     this->scene.surfaces.push_back(surface);
   }
-
-  std::vector<std::uint32_t> visible(const Settings& settings) const
-  {
-    std::vector<std::uint32_t> triangles(side * side);
-    std::vector<float> floats(3 * side * side);
-    Image image;
-    image.width = image.height = side;
-    image.part = { 0, side, 0, side };
-    image.floats = floats.data();
-    image.triangles = triangles.data();
-    render(this->scene, image, Parallel(), nullptr, settings);
-    return triangles;
-  }
 };
 }
 
 TEST(NearLayers, AreToldApartInEveryInstructionSet)
 {
-  const std::string before = vectorTargetInUse();
-  for (const std::string& target : vectorTargets())
-  {
-    ASSERT_TRUE(useVectorTarget(target));
-    for (int k = -20; k <= 20; ++k)
+  onAllTargets(
+    []()
     {
-      for (const double size : { 0.05, 0.2, 0.9 })
+      for (int k = -20; k <= 20; ++k)
       {
-        const double depth = 1.0 + 0.07 * (k + 20);
-        const Layers layers(depth, depth * (1.0 + std::ldexp(k, -24)), size, k % 3 == 0);
-        EXPECT_EQ(
-          layers.visible(Settings()), layers.visible(Settings::bruteForce({ 0, side, 0, side })))
-          << target << ", " << k << ", " << size;
+        for (const double size : { 0.05, 0.2, 0.9 })
+        {
+          const double depth = 1.0 + 0.07 * (k + 20);
+          const Layers layers(depth, depth * (1.0 + std::ldexp(k, -24)), size, k % 3 == 0);
+          EXPECT_EQ(visibleTriangles(layers.scene, side, Settings()),
+            visibleTriangles(layers.scene, side, Settings::bruteForce({ 0, side, 0, side })))
+            << k << ", " << size;
+        }
       }
-    }
-  }
-  useVectorTarget(before);
+    });
 }

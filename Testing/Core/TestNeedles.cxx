@@ -3,9 +3,9 @@
 // Triangles so thin that their edge functions round to zero along the line that they lie on. In an
 // ordinary view no ray beyond their ends is tried. Where pixels are so small that points have no
 // place between them every ray is, and the kernel has to know by itself where a needle ends.
+#include "InstructionSets.h"
 #include "RandomNumbers.h"
-#include "Render.h"
-#include "VectorTarget.h"
+#include "VisibleTriangles.h"
 
 #include <gtest/gtest.h>
 
@@ -33,19 +33,6 @@ std::vector<double> makeNeedles(int count, const CameraFrame& frame)
   }
   return points;
 }
-
-std::vector<std::uint32_t> findTriangles(const Scene& scene, const Settings& settings)
-{
-  std::vector<std::uint32_t> triangles(side * side);
-  std::vector<float> floats(3 * side * side);
-  Image image;
-  image.width = image.height = side;
-  image.part = { 0, side, 0, side };
-  image.floats = floats.data();
-  image.triangles = triangles.data();
-  render(scene, image, Parallel(), nullptr, settings);
-  return triangles;
-}
 }
 
 TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
@@ -63,16 +50,10 @@ TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
   scene.surfaces.push_back(surface);
 
   const std::vector<std::uint32_t> expected =
-    findTriangles(scene, Settings::bruteForce({ 0, side, 0, side }));
+    visibleTriangles(scene, side, Settings::bruteForce({ 0, side, 0, side }));
   EXPECT_NE(expected[side * (side / 2) + side / 2], noTriangle); // where all of them begin
   EXPECT_LT(std::count_if(expected.begin(), expected.end(),
               [](std::uint32_t triangle) { return triangle != noTriangle; }),
     10); // rays beyond their ends are along their lines
-  const std::string before = vectorTargetInUse();
-  for (const std::string& target : vectorTargets())
-  {
-    ASSERT_TRUE(useVectorTarget(target));
-    EXPECT_EQ(findTriangles(scene, Settings()), expected) << target;
-  }
-  useVectorTarget(before);
+  onAllTargets([&]() { EXPECT_EQ(visibleTriangles(scene, side, Settings()), expected); });
 }

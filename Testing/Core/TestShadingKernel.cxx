@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The colours of the kernel are those of Shader::color() to the last bit of a double. A
 // picture of floats would show a difference in that bit once in 500 million channels.
+#include "InstructionSets.h"
 #include "RandomNumbers.h"
 #include "ShadeBatch.h"
 #include "ShadingKernel.h"
-#include "VectorTarget.h"
 
 #include <gtest/gtest.h>
 
@@ -205,19 +205,12 @@ void compare(unsigned int seed, bool parallel, Shading shading)
 
 TEST(ShadingKernel, GivesTheShadersDoubles)
 {
-  const std::string usual = vectorTargetInUse();
-  for (const std::string& target : vectorTargets())
-  {
-    if (target == "plain")
+  onAllTargets(
+    []()
     {
-      continue;
-    }
-    SCOPED_TRACE(target);
-    ASSERT_TRUE(useVectorTarget(target));
-    for (unsigned int seed = 0; seed < 30; ++seed)
-    {
-      compare(seed, seed % 5 == 0, seed % 4 == 0 ? Shading::Flat : Shading::Smooth);
-    }
-  }
-  ASSERT_TRUE(useVectorTarget(usual));
+      for (unsigned int seed = 0; seed < 30; ++seed)
+      {
+        compare(seed, seed % 5 == 0, seed % 4 == 0 ? Shading::Flat : Shading::Smooth);
+      }
+    });
 }

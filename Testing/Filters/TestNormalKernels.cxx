@@ -7,7 +7,8 @@
 #include "CheckKernel.h"
 #include "CornerAngles.h"
 #include "PointNormals.h"
-#include "VectorTarget.h"
+
+#include "../Core/InstructionSets.h"
 
 #include <gtest/gtest.h>
 
@@ -39,20 +40,6 @@ public:
     }
   }
 };
-
-// Calls test() with each instruction set but the plain one.
-template <typename Test>
-void onAllTargets(const Test& test)
-{
-  const std::string usual = vectorTargetInUse();
-  for (const std::string& target : vectorTargets())
-  {
-    SCOPED_TRACE(target);
-    ASSERT_TRUE(useVectorTarget(target));
-    test();
-  }
-  ASSERT_TRUE(useVectorTarget(usual));
-}
 
 template <typename Coordinate, typename Id>
 struct Triangles
