@@ -88,7 +88,8 @@ def main(arguments):
     if not arguments or arguments[0].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 2
-    program = shlex.split(arguments[0])
+    is_path = os.path.exists(arguments[0])  # which may have spaces
+    program = [arguments[0]] if is_path else shlex.split(arguments[0])
     if option == "--all":
         return 1 if check_all(program) else 0
     hashes = draw([*program, *arguments[1:]])
