@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SharpEdges.h"
 
+#include "DisjointSets.h"
 #include "Elementary.h"
 
 #include <algorithm>
@@ -98,8 +99,7 @@ public:
   template <typename Cells>
   int findGroups(const Cells& cells, std::int64_t point, const Corner* corners, int count)
   {
-    this->Leaders.resize(count);
-    std::iota(this->Leaders.begin(), this->Leaders.end(), 0);
+    this->Groups.reset(count);
     this->listSides(cells, point, corners, count);
     for (auto side = this->Sides.begin(); side != this->Sides.end();)
     {
@@ -108,14 +108,14 @@ public:
       if (end - side == 2 &&
         this->isSmooth(corners[side[0].corner].face, corners[side[1].corner].face))
       {
-        this->join(side[0].corner, side[1].corner);
+        this->Groups.join(side[0].corner, side[1].corner);
       }
       side = end;
     }
-    return this->numberGroups();
+    return this->Groups.number();
   }
 
-  int group(int corner) const { return this->Groups[corner]; }
+  int group(int corner) const { return this->Groups.set(corner); }
 
 private:
   template <typename Cells>
@@ -126,7 +126,7 @@ private:
     {
       if (i > 0 && corners[i].face == corners[i - 1].face)
       {
-        this->join(i, i - 1); // a face that comes by twice is one face
+        this->Groups.join(i, i - 1); // a face that comes by twice is one face
       }
       const auto begin = cells.offsets[corners[i].face];
       const auto end = cells.offsets[corners[i].face + 1];
@@ -155,42 +155,11 @@ private:
     return this->NothingIsSharp || dot(a, b) >= this->Cosine;
   }
 
-  int leader(int corner)
-  {
-    while (this->Leaders[corner] != corner)
-    {
-      // Halving the path keeps points of very many faces fast.
-      this->Leaders[corner] = this->Leaders[this->Leaders[corner]];
-      corner = this->Leaders[corner];
-    }
-    return corner;
-  }
-
-  void join(int a, int b)
-  {
-    const int leaderA = this->leader(a);
-    const int leaderB = this->leader(b);
-    this->Leaders[std::max(leaderA, leaderB)] = std::min(leaderA, leaderB);
-  }
-
-  int numberGroups()
-  {
-    int groups = 0;
-    this->Groups.resize(this->Leaders.size());
-    for (int i = 0; i < static_cast<int>(this->Leaders.size()); ++i)
-    {
-      const int leader = this->leader(i); // never behind i, so it has its number
-      this->Groups[i] = leader == i ? groups++ : this->Groups[leader];
-    }
-    return groups;
-  }
-
   const Vec3* const FaceNormals;
   const double Cosine;
   const bool NothingIsSharp;
   std::vector<Side> Sides;
-  std::vector<int> Leaders;
-  std::vector<int> Groups;
+  DisjointSets Groups;
 };
 
 /// The group of each listed corner, and in copyCount[p + 1] how many copies p needs.

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief disjoint sets of the numbers 0 to n - 1, numbered by their smallest members
+ *
+ * R. E. Tarjan, J. van Leeuwen, "Worst-Case Analysis of Set Union Algorithms", Journal of
+ * the ACM 31(2), 1984: paths are halved; the smallest member leads.
+ */
+#ifndef lambent_DisjointSets_h
+#define lambent_DisjointSets_h
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace lambent
+{
+class DisjointSets
+{
+public:
+  /// Each number in a set of its own. Memory is kept.
+  void reset(int count)
+  {
+    this->Leaders.resize(static_cast<std::size_t>(count));
+    std::iota(this->Leaders.begin(), this->Leaders.end(), 0);
+  }
+
+  void join(int a, int b)
+  {
+    const int leaderA = this->leader(a);
+    const int leaderB = this->leader(b);
+    this->Leaders[std::max(leaderA, leaderB)] = std::min(leaderA, leaderB);
+  }
+
+  /// Numbers the sets from 0 on, ordered by their smallest members; returns how many.
+  int number()
+  {
+    int sets = 0;
+    this->Sets.resize(this->Leaders.size());
+    for (int i = 0; i < static_cast<int>(this->Leaders.size()); ++i)
+    {
+      const int leader = this->leader(i); // never behind i, so it has its number
+      this->Sets[i] = leader == i ? sets++ : this->Sets[leader];
+    }
+    return sets;
+  }
+
+  /// Of the last number().
+  int set(int i) const { return this->Sets[i]; }
+
+private:
+  int leader(int i)
+  {
+    while (this->Leaders[i] != i)
+    {
+      this->Leaders[i] = this->Leaders[this->Leaders[i]];
+      i = this->Leaders[i];
+    }
+    return i;
+  }
+
+  std::vector<int> Leaders;
+  std::vector<int> Sets;
+};
+}
+
+#endif
