@@ -1,0 +1,418 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CornerNormals.h"
+
+#include "BlockSums.h"
+#include "CreasedPoint.h"
+#include "Creases.h"
+#include "RangeWalks.h"
+#include "VectorTarget.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+namespace lambent
+{
+namespace
+{
+/// Below the cosine of half of 180 degrees, zero, sums could be mere rounding.
+double cosineOfHalf(double angle)
+{
+  return std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20));
+}
+
+/// What a range of points needs beyond a normal for each of them.
+struct FurtherNormals
+{
+  struct Use
+  {
+    std::int64_t place;  ///< of the connectivity
+    std::int32_t number; ///< of the normal, counted from the range's first
+  };
+
+  std::vector<float> normals;
+  std::vector<Use> uses;
+};
+
+/// All that is done for a range of points.
+template <typename Points, typename Cells>
+class CornerTask
+{
+public:
+  CornerTask(const Faces& faces, const Points& points, const Cells& cells, double largestAngle,
+    float* normals, std::vector<FurtherNormals>& results)
+    : AllFaces(faces)
+    , AllPoints(points)
+    , AllCells(cells)
+    , Normals(normals)
+    , Results(results)
+    , Range(cosineOfHalf(largestAngle))
+    , Solver(points, cells, largestAngle)
+  {
+  }
+
+  void reset(const PointRange& range)
+  {
+    this->Sums.reset(range.begin, range.end);
+    this->Range.reset(range.begin, range.end);
+    this->Result = &this->Results[range.index];
+    this->Creased.clear();
+    this->Found.clear();
+  }
+
+  int passCount() const { return PassCount; }
+
+  std::size_t stepCount(int pass) const
+  {
+    switch (pass)
+    {
+      case Sum:
+      case Mark:
+        return this->AllFaces.blocks.size();
+      case Collect:
+        return this->Creased.empty() ? 0 : this->AllFaces.blocks.size();
+      case Solve:
+        return chunkCount(this->Creased.size(), pointsPerStep);
+      default:
+        return 1;
+    }
+  }
+
+  std::size_t step(int pass, std::size_t i)
+  {
+    switch (pass)
+    {
+      case Write:
+        writeNormals(this->Sums, 1.0f, this->UseKernels, this->Range.normals.data());
+        return this->Sums.size();
+      case Number:
+        return this->numberCreased();
+      case Sort:
+        return this->sortCorners();
+      case Solve:
+        return this->solve(i);
+      case Keep:
+        std::copy_n(this->Range.normals.data(), 3 * this->Range.size(),
+          this->Normals + 3 * this->Sums.begin());
+        return this->Range.size();
+      default:
+        return this->visitBlock(pass, this->AllFaces.blocks[i]);
+    }
+  }
+
+private:
+  enum Pass
+  {
+    Sum,     ///< what the faces add at each point
+    Write,   ///< the normals of the points
+    Mark,    ///< the creased points
+    Number,  ///< those
+    Collect, ///< the corners at them
+    Sort,    ///< those by their points
+    Solve,   ///< the normals at creased points
+    Keep,    ///< what the points have now
+    PassCount
+  };
+  static constexpr std::size_t pointsPerStep = 1024;
+
+  /// A corner at the creased point of that number.
+  struct FoundCorner
+  {
+    std::int32_t creased;
+    Corner corner;
+  };
+
+  std::size_t visitBlock(int pass, const CellBlock& block)
+  {
+    if (!block.touches(this->Sums.begin(), this->Sums.end()))
+    {
+      return 0;
+    }
+    if (pass == Sum)
+    {
+      addBlock<Weighting::Angle>(
+        this->AllFaces, this->AllPoints, this->AllCells, block, this->UseKernels, this->Sums);
+    }
+    else if (pass == Mark)
+    {
+      this->markBlock(block);
+    }
+    else
+    {
+      this->collect(block);
+    }
+    return block.end - block.begin;
+  }
+
+  void markBlock(const CellBlock& block)
+  {
+    if (this->UseKernels && block.hasOnlyTriangles && this->AllFaces.skip.empty())
+    {
+      markCreases(this->AllFaces.points, this->AllCells.cell(block.begin), block.end - block.begin,
+        this->Range);
+      return;
+    }
+    for (std::size_t face = block.begin; face < block.end; ++face)
+    {
+      const auto* const ids = this->AllCells.cell(face);
+      const std::size_t size = this->AllCells.cellSize(face);
+      const bool isHere = std::any_of(
+        ids, ids + size, [this](auto id) { return this->Range.place(id) < this->Range.size(); });
+      if (!isHere || this->AllFaces.isSkipped(face))
+      {
+        continue;
+      }
+      const Vec3 area = areaVector(this->AllPoints, ids, size);
+      for (std::size_t k = 0; k < size; ++k)
+      {
+        const std::size_t place = this->Range.place(ids[k]);
+        this->Range.marks[place] |=
+          isSteep(area, this->Range.normal(place), this->Range.squaredCosine);
+      }
+    }
+  }
+
+  std::size_t numberCreased()
+  {
+    this->Range.marks.back() = 0; // from now on a point that is creased lies in the range
+    this->NumberOf.resize(this->Range.size());
+    for (std::size_t place = 0; place < this->Range.size(); ++place)
+    {
+      if (this->Range.marks[place])
+      {
+        this->NumberOf[place] = static_cast<std::int32_t>(this->Creased.size());
+        this->Creased.push_back(this->Sums.begin() + static_cast<std::int64_t>(place));
+      }
+    }
+    return this->Range.size();
+  }
+
+  void collect(const CellBlock& block)
+  {
+    if (block.hasOnlyTriangles)
+    {
+      this->collectFromTriangles(block);
+      return;
+    }
+    for (std::size_t face = block.begin; face < block.end; ++face)
+    {
+      this->collectFrom(face);
+    }
+  }
+
+  void collectFromTriangles(const CellBlock& block)
+  {
+    const auto* ids = this->AllCells.cell(block.begin);
+    for (std::size_t face = block.begin; face < block.end; ++face, ids += 3)
+    {
+      if (this->mark(ids[0]) | this->mark(ids[1]) | this->mark(ids[2]))
+      {
+        this->collectFrom(face);
+      }
+    }
+  }
+
+  /// Whether a point, if it is in the range, is creased.
+  template <typename Id>
+  unsigned char mark(Id point) const
+  {
+    return this->Range.marks[this->Range.place(point)];
+  }
+
+  void collectFrom(std::size_t face)
+  {
+    const std::int64_t end = this->AllCells.offsets[face + 1];
+    bool isUsed = false;
+    for (std::int64_t place = this->AllCells.offsets[face]; place < end; ++place)
+    {
+      const auto point = this->AllCells.corners[place];
+      if (!this->mark(point))
+      {
+        continue;
+      }
+      if (!isUsed && !this->hasArea(face))
+      {
+        return;
+      }
+      isUsed = true;
+      this->Found.push_back(
+        { this->NumberOf[this->Range.place(point)], { static_cast<std::int64_t>(face), place } });
+    }
+  }
+
+  bool hasArea(std::size_t face) const
+  {
+    const Vec3 area =
+      areaVector(this->AllPoints, this->AllCells.cell(face), this->AllCells.cellSize(face));
+    return !this->AllFaces.isSkipped(face) && isUsableSquare(dot(area, area));
+  }
+
+  /// By counting, so that the corners of a point keep their order.
+  std::size_t sortCorners()
+  {
+    this->First.assign(this->Creased.size() + 1, 0);
+    for (const FoundCorner& found : this->Found)
+    {
+      ++this->First[static_cast<std::size_t>(found.creased) + 1];
+    }
+    for (std::size_t k = 0; k < this->Creased.size(); ++k)
+    {
+      this->First[k + 1] += this->First[k];
+    }
+    this->Corners.resize(this->Found.size());
+    for (const FoundCorner& found : this->Found)
+    {
+      this->Corners[this->First[found.creased]++] = found.corner;
+    }
+    // Each has been moved to the begin of the next.
+    std::copy_backward(this->First.begin(), this->First.end() - 1, this->First.end());
+    this->First.front() = 0;
+    return this->Found.size();
+  }
+
+  std::size_t solve(std::size_t step)
+  {
+    const std::size_t begin = step * pointsPerStep;
+    const std::size_t end = std::min(this->Creased.size(), begin + pointsPerStep);
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      const Corner* const corners = this->Corners.data() + this->First[k];
+      const int count = static_cast<int>(this->First[k + 1] - this->First[k]);
+      const std::int64_t point = this->Creased[k];
+      const PointSum& sum = this->Sums.data()[this->Sums.place(point)];
+      if (this->Solver.solve(point, { sum.x, sum.y, sum.z }, corners, count))
+      {
+        this->store(point, corners, count);
+      }
+    }
+    return 8 * (end - begin);
+  }
+
+  /// The first normal becomes that of the point.
+  void store(std::int64_t point, const Corner* corners, int count)
+  {
+    constexpr std::int32_t none = -1;
+    this->NumberOfKey.assign(static_cast<std::size_t>(count), none);
+    for (int i = 0; i < count; ++i)
+    {
+      const int key = this->Solver.key(i);
+      if (i == 0)
+      {
+        writeNormal(
+          this->Solver.normal(i), 1.0f, &this->Range.normals[3 * this->Range.place(point)]);
+      }
+      if (key == this->Solver.key(0))
+      {
+        continue;
+      }
+      std::int32_t& number = this->NumberOfKey[key];
+      if (number == none)
+      {
+        std::vector<float>& normals = this->Result->normals;
+        number = static_cast<std::int32_t>(normals.size() / 3);
+        normals.resize(normals.size() + 3);
+        writeNormal(this->Solver.normal(i), 1.0f, &normals[normals.size() - 3]);
+      }
+      this->Result->uses.push_back({ corners[i].place, number });
+    }
+  }
+
+  const Faces& AllFaces;
+  const Points& AllPoints;
+  const Cells& AllCells;
+  float* const Normals;
+  std::vector<FurtherNormals>& Results;
+  const bool UseKernels = areVectorsInUse();
+
+  PointSums Sums;
+  Creases Range;
+  FurtherNormals* Result = nullptr;
+  std::vector<std::int64_t> Creased;
+  std::vector<std::int32_t> NumberOf; ///< of the range's points that are creased
+  std::vector<FoundCorner> Found;
+  std::vector<std::size_t> First; ///< corner of each creased point
+  std::vector<Corner> Corners;
+  CreasedPoint<Points, Cells> Solver;
+  std::vector<std::int32_t> NumberOfKey;
+};
+
+std::unique_ptr<float[]> append(const float* normals, std::size_t count,
+  const std::vector<FurtherNormals>& further, const std::vector<std::size_t>& first,
+  const Parallel& parallel)
+{
+  std::unique_ptr<float[]> all(new float[3 * first.back()]);
+  forEachChunk<4096>(parallel, count,
+    [&](std::size_t begin, std::size_t end)
+    { std::copy(normals + 3 * begin, normals + 3 * end, all.get() + 3 * begin); });
+  for (std::size_t i = 0; i < further.size(); ++i)
+  {
+    std::copy(further[i].normals.begin(), further[i].normals.end(), all.get() + 3 * first[i]);
+  }
+  return all;
+}
+
+template <typename Cells>
+std::unique_ptr<std::int32_t[]> numberCorners(const Faces& faces, const Cells& cells,
+  const std::vector<FurtherNormals>& further, const std::vector<std::size_t>& first,
+  const Parallel& parallel)
+{
+  const auto count = static_cast<std::size_t>(cells.offsets[cellCount(faces.cells)]);
+  std::unique_ptr<std::int32_t[]> numbers(new std::int32_t[count]);
+  forEachChunk<4096>(parallel, count,
+    [&](std::size_t begin, std::size_t end)
+    { std::copy(cells.corners + begin, cells.corners + end, numbers.get() + begin); });
+  forEach(parallel, 0, further.size(),
+    [&](int, std::size_t i)
+    {
+      for (const FurtherNormals::Use& use : further[i].uses)
+      {
+        numbers[use.place] = static_cast<std::int32_t>(first[i]) + use.number;
+      }
+    });
+  return numbers;
+}
+}
+
+CornerNormals computeCornerNormals(
+  const Faces& faces, double featureAngle, const Parallel& parallel)
+{
+  const double largestAngle = std::min(featureAngle + featureAngleMargin, 180.0);
+  CornerNormals result;
+  result.count = faces.points.size;
+  result.normals.reset(new float[3 * result.count]);
+  const PointRanges ranges(faces.blocks, faces.points.size, parallel.workers());
+  std::vector<FurtherNormals> further(ranges.count());
+  visit(faces.points, faces.cells,
+    [&](auto points, auto cells)
+    {
+      using Task = CornerTask<decltype(points), decltype(cells)>;
+      const Task task(faces, points, cells, largestAngle, result.normals.get(), further);
+      RangeWalks<Task>(ranges, task, Share(parallel, 0.0, 0.9)).run();
+
+      std::vector<std::size_t> first(1, result.count);
+      bool areAllOfPoints = true;
+      for (const FurtherNormals& some : further)
+      {
+        first.push_back(first.back() + some.normals.size() / 3);
+        areAllOfPoints = areAllOfPoints && some.uses.empty();
+      }
+      if (areAllOfPoints)
+      {
+        return;
+      }
+      if (first.back() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+      {
+        throw std::runtime_error("there would be more than 2147483647 normals. Compute them with "
+                                 "vtkLambentNormals, or draw the mesh in parts.");
+      }
+      result.normals =
+        append(result.normals.get(), result.count, further, first, Share(parallel, 0.9, 0.93));
+      result.numbers = numberCorners(faces, cells, further, first, Share(parallel, 0.93, 1.0));
+      result.count = first.back();
+    });
+  return result;
+}
+}

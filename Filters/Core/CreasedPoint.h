@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the normals of the corners at one point whose faces do not all go together
+ *
+ * Steps 2 to 4 of CornerNormals.h. One object does one point after the other and keeps its
+ * memory.
+ */
+#ifndef lambent_CreasedPoint_h
+#define lambent_CreasedPoint_h
+
+#include "DisjointSets.h"
+#include "Elementary.h"
+#include "NormalContribution.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace lambent
+{
+/// Where a face names a point.
+struct Corner
+{
+  std::int64_t face;
+  std::int64_t place; ///< in the connectivity
+};
+
+template <typename Points, typename Cells>
+class CreasedPoint
+{
+public:
+  CreasedPoint(const Points& points, const Cells& cells, double largestAngle)
+    : AllPoints(points)
+    , AllCells(cells)
+    , Cosine(cosDegrees(largestAngle))
+    , AnyAngleIsSmooth(largestAngle >= 180.0)
+  {
+  }
+
+  /**
+   * The corners at a point, of faces that have an area, in ascending order, and the sum of
+   * what these faces add. False if that sum makes the normal of all corners.
+   */
+  template <typename Id>
+  bool solve(Id point, const Vec3& allSum, const Corner* corners, int count)
+  {
+    this->Corners = corners;
+    this->findFaceNormals(count);
+    this->Groups.reset(count);
+    this->listSides(point, count);
+    this->linkFaces();
+    const int groups = this->Groups.number();
+    if (groups == 1 && this->isLong(allSum, count))
+    {
+      return false;
+    }
+    this->sumUp(point, count, groups);
+    return true;
+  }
+
+  /// The normal at a corner of the last point, not yet of unit length.
+  const Vec3& normal(int corner) const
+  {
+    const Sum& sum = this->Sums[this->Groups.set(corner)];
+    return sum.isDirection ? sum.vector : this->FaceNormals[corner];
+  }
+
+  /// Corners with the same key have the same normal; keys are below the number of corners.
+  int key(int corner) const
+  {
+    const Sum& sum = this->Sums[this->Groups.set(corner)];
+    return sum.isDirection ? sum.firstCorner : this->FirstOfFace[corner];
+  }
+
+private:
+  static constexpr std::ptrdiff_t mostFacesAtEdge = 64;
+
+  /// An edge from the point to another one, as a side of a face that runs from the point to
+  /// the other one or comes from there.
+  struct Side
+  {
+    std::int64_t other;
+    int corner;
+    bool leaves;
+
+    bool operator<(const Side& side) const
+    {
+      return this->other != side.other ? this->other < side.other : this->corner < side.corner;
+    }
+  };
+
+  struct Sum
+  {
+    Vec3 vector{ 0.0 };
+    double length = 0.0; ///< of all terms together
+    int firstCorner = -1;
+    bool isDirection = false;
+  };
+
+  void findFaceNormals(int count)
+  {
+    this->FaceNormals.resize(static_cast<std::size_t>(count));
+    this->FirstOfFace.resize(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+    {
+      const std::int64_t face = this->Corners[i].face;
+      const bool isSameFace = i > 0 && this->Corners[i - 1].face == face;
+      this->FaceNormals[i] = isSameFace
+        ? this->FaceNormals[i - 1]
+        : faceNormal(this->AllPoints, this->AllCells.cell(face), this->AllCells.cellSize(face));
+      this->FirstOfFace[i] = isSameFace ? this->FirstOfFace[i - 1] : i;
+    }
+  }
+
+  template <typename Id>
+  void listSides(Id point, int count)
+  {
+    this->Sides.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      if (this->FirstOfFace[i] != i)
+      {
+        this->Groups.join(i, i - 1); // a face that comes by twice is one face
+      }
+      const auto begin = this->AllCells.offsets[this->Corners[i].face];
+      const auto end = this->AllCells.offsets[this->Corners[i].face + 1];
+      const auto place = this->Corners[i].place;
+      const auto next = this->AllCells.corners[place + 1 < end ? place + 1 : begin];
+      const auto previous = this->AllCells.corners[place > begin ? place - 1 : end - 1];
+      if (next != point)
+      {
+        this->Sides.push_back({ next, i, true });
+      }
+      if (previous != point)
+      {
+        this->Sides.push_back({ previous, i, false });
+      }
+    }
+    std::sort(this->Sides.begin(), this->Sides.end());
+  }
+
+  void linkFaces()
+  {
+    for (auto side = this->Sides.begin(); side != this->Sides.end();)
+    {
+      const auto end = std::find_if(
+        side, this->Sides.end(), [&](const Side& other) { return other.other != side->other; });
+      for (auto a = side; end - side <= mostFacesAtEdge && a != end; ++a)
+      {
+        for (auto b = a + 1; b != end; ++b)
+        {
+          if (a->leaves != b->leaves && this->areLinked(a->corner, b->corner))
+          {
+            this->Groups.join(a->corner, b->corner);
+          }
+        }
+      }
+      side = end;
+    }
+  }
+
+  bool areLinked(int a, int b) const
+  {
+    const bool isSmooth =
+      this->AnyAngleIsSmooth || dot(this->FaceNormals[a], this->FaceNormals[b]) >= this->Cosine;
+    return isSmooth && !this->areOpposite(this->Corners[a].face, this->Corners[b].face);
+  }
+
+  bool areOpposite(std::int64_t faceA, std::int64_t faceB) const
+  {
+    const auto size = static_cast<std::ptrdiff_t>(this->AllCells.cellSize(faceA));
+    if (static_cast<std::ptrdiff_t>(this->AllCells.cellSize(faceB)) != size)
+    {
+      return false;
+    }
+    const auto* const a = this->AllCells.cell(faceA);
+    const auto* const b = this->AllCells.cell(faceB);
+    for (std::ptrdiff_t first = 0; first < size; ++first)
+    {
+      const std::reverse_iterator rotated(b + first), end(b);
+      if (a[0] == b[first > 0 ? first - 1 : size - 1] && std::equal(rotated, end, a) &&
+        std::equal(std::reverse_iterator(b + size), rotated, a + first))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static constexpr double leastPart = 1.0 / (1 << 20);
+
+  /// Whether a sum is a direction however long its terms are: they are angles.
+  static bool isLong(const Vec3& sum, int count)
+  {
+    constexpr double mostOfTerm = 7.0; // more than a full turn
+    const double least = leastPart * (mostOfTerm * count);
+    const double square = dot(sum, sum);
+    return isUsableSquare(square) && square >= least * least;
+  }
+
+  template <typename Add>
+  void contribute(std::int64_t face, Add&& add)
+  {
+    const auto* const ids = this->AllCells.cell(face);
+    const std::size_t size = this->AllCells.cellSize(face);
+    if (size == 3)
+    {
+      contributeTriangle<Weighting::Angle>(this->AllPoints[ids[0]], this->AllPoints[ids[1]],
+        this->AllPoints[ids[2]], [&](int i, const Vec3& term) { add(ids[i], term); });
+    }
+    else
+    {
+      contributePolygon<Weighting::Angle>(this->AllPoints, ids, size, this->Scratch, add);
+    }
+  }
+
+  template <typename Id>
+  void sumUp(Id point, int count, int groups)
+  {
+    this->Sums.assign(static_cast<std::size_t>(groups), Sum());
+    for (int i = 0; i < count; ++i)
+    {
+      if (this->FirstOfFace[i] != i)
+      {
+        continue;
+      }
+      Sum& sum = this->Sums[this->Groups.set(i)];
+      sum.firstCorner = sum.firstCorner < 0 ? i : sum.firstCorner;
+      this->contribute(this->Corners[i].face,
+        [&](auto corner, const Vec3& term)
+        {
+          if (corner == point)
+          {
+            sum.vector = sum.vector + term;
+            sum.length += length(term);
+          }
+        });
+    }
+    for (Sum& sum : this->Sums)
+    {
+      const double square = dot(sum.vector, sum.vector);
+      const double least = leastPart * sum.length;
+      sum.isDirection = isUsableSquare(square) && square >= least * least;
+    }
+  }
+
+  const Points& AllPoints;
+  const Cells& AllCells;
+  const double Cosine;
+  const bool AnyAngleIsSmooth;
+  const Corner* Corners = nullptr;
+  std::vector<Vec3> FaceNormals; ///< of each corner's face
+  std::vector<int> FirstOfFace;  ///< the first corner of each corner's face
+  std::vector<Side> Sides;
+  DisjointSets Groups;
+  std::vector<Sum> Sums;
+  std::vector<std::decay_t<decltype(*std::declval<Cells>().corners)>> Scratch;
+};
+}
+
+#endif

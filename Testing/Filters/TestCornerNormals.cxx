@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The normals that the ray tracer computes: the bits of their definition, and what they are
+// on meshes of which one knows.
+
+#include "TestingCorners.h"
+
+#include "../Core/InstructionSets.h"
+#include "../Core/ThreadedParallel.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+namespace
+{
+void expectDefinition(const PolygonMesh& exact, const std::vector<double>& angles)
+{
+  for (const MeshStorage storage : { MeshStorage::Narrow, MeshStorage::Wide })
+  {
+    const PolygonMesh mesh = storage == MeshStorage::Narrow ? toFloats(exact) : exact;
+    for (const double angle : angles)
+    {
+      SCOPED_TRACE("feature angle " + std::to_string(angle));
+      const std::vector<float> expected = referenceCornerNormals(mesh, angle);
+      onAllTargets(
+        [&]()
+        {
+          for (const int workers : { 1, 3 })
+          {
+            EXPECT_EQ(
+              computedCornerNormals(mesh, angle, storage, ThreadedParallel(workers)), expected);
+          }
+        });
+    }
+  }
+}
+
+std::vector<float> computed(const PolygonMesh& mesh, double angle)
+{
+  return computedCornerNormals(mesh, angle, MeshStorage::Wide, ThreadedParallel(2));
+}
+
+const std::vector<double> someAngles = { 0.0, 20.0, 30.0, 75.0, 150.0, 180.0 };
+}
+
+TEST(CornerNormals, EqualDefinitionOnRandomPolygons)
+{
+  for (unsigned int seed = 1; seed <= 16; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expectDefinition(makeRandomPolygons(seed), someAngles);
+  }
+}
+
+TEST(CornerNormals, EqualDefinitionOnClosedMeshes)
+{
+  for (unsigned int seed = 1; seed <= 3; ++seed)
+  {
+    for (const double dent : { 0.0, 0.02, 0.2 })
+    {
+      SCOPED_TRACE("dents of " + std::to_string(dent));
+      expectDefinition(makeDentedBall(seed, dent), { 10.0, 30.0, 60.0, 180.0 });
+    }
+  }
+  expectDefinition(makeCubeOfQuads(), { 30.0, 89.0, 91.0, 180.0 });
+}
+
+TEST(CornerNormals, EqualDefinitionOnDoubledAndMirroredMeshes)
+{
+  const PolygonMesh ball = makeDentedBall(7, 0.1);
+  const PolygonMesh sheet = makeSheet(6, [](double x, double y) { return x * x * y; });
+  for (const PolygonMesh& mesh : { ball.doubled(), ball.mirrored(), ball.mirrored().doubled(),
+         sheet.doubled(), sheet.doubled().doubled(), sheet.mirrored() })
+  {
+    expectDefinition(mesh, { 30.0, 90.0, 180.0 });
+  }
+}
+
+// Pages that share their spine, an edge of as many faces.
+TEST(CornerNormals, EqualDefinitionOnEdgesOfManyFaces)
+{
+  for (const int pages : { 3, 4, 63, 64, 65, 66 })
+  {
+    SCOPED_TRACE(std::to_string(pages) + " pages");
+    PolygonMesh book;
+    book.points = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } };
+    for (int page = 0; page < pages; ++page)
+    {
+      const double x = -1.0 + 2.0 * page / (pages - 1);
+      const auto outer = static_cast<std::int64_t>(book.points.size());
+      book.points.insert(book.points.end(), { { x, 1.0, 0.0 }, { x, 1.0, 1.0 } });
+      page % 2 ? book.faces.push_back({ 0, outer, outer + 1, 1 })
+               : book.faces.push_back({ 0, 1, outer + 1, outer });
+    }
+    expectDefinition(book, { 1.0, 30.0, 179.0, 180.0 });
+  }
+}
+
+TEST(CornerNormals, FacesOfACubeStayFlat)
+{
+  const PolygonMesh cube = makeCubeOfQuads();
+  const std::vector<float> sharp = computed(cube, 89.0);
+  const std::vector<float> smooth = computed(cube, 91.0);
+  for (std::size_t face = 0; face < 6; ++face)
+  {
+    const Vec3 normal = lambent::faceNormal(cube.points, cube.faces[face].data(), 4);
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const std::size_t i = 3 * (4 * face + k) + axis;
+        EXPECT_EQ(sharp[i], static_cast<float>(normal[axis]));
+        const double outward = cube.points[cube.faces[face][k]][axis] > 0.5 ? 1.0 : -1.0;
+        EXPECT_NEAR(smooth[i], outward / std::sqrt(3.0), 1e-7);
+      }
+    }
+  }
+}
+
+// Also at 180 degrees, where everything else is smooth.
+TEST(CornerNormals, FacesOnBothSidesOfASheetDoNotMix)
+{
+  const PolygonMesh sheet = makeSheet(8, [](double x, double y) { return 0.3 * x * y + x * x; });
+  for (const double angle : { 30.0, 60.0, 180.0 })
+  {
+    const std::vector<float> one = computed(sheet, angle);
+    const std::vector<float> two = computed(sheet.doubled(), angle);
+    ASSERT_EQ(two.size(), 2 * one.size());
+    for (std::size_t face = 0; face < sheet.faces.size(); ++face)
+    {
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          const float front = one[3 * (4 * face + k) + axis];
+          EXPECT_EQ(two[3 * (4 * face + k) + axis], front);
+          EXPECT_NEAR(two[one.size() + 3 * (4 * face + 3 - k) + axis], -front, 1e-7);
+        }
+      }
+    }
+  }
+}
+
+// Neighbours that run opposite ways: each has its own side's normal, and none is rounding noise.
+TEST(CornerNormals, FacesThatRunOppositeWaysDoNotCancel)
+{
+  PolygonMesh sheet = makeSheet(7, [](double x, double y) { return 0.1 * x - 0.2 * y; });
+  for (std::size_t face = 0; face < sheet.faces.size(); face += 2)
+  {
+    std::reverse(sheet.faces[face].begin(), sheet.faces[face].end());
+  }
+  const Vec3 up = lambent::normalized({ -0.1, 0.2, 1.0 });
+  for (const double angle : { 30.0, 180.0 })
+  {
+    const std::vector<float> normals = computed(sheet, angle);
+    for (std::size_t corner = 0; corner < normals.size() / 3; ++corner)
+    {
+      const double side = corner / 4 % 2 == 0 ? -1.0 : 1.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_NEAR(normals[3 * corner + axis], side * up[axis], 1e-6);
+      }
+    }
+  }
+}
+
+// The faces round the tip of a needle look to all sides; their sum is nothing but rounding.
+TEST(CornerNormals, FacesOfANeedleHaveTheirOwnNormals)
+{
+  constexpr int sides = 48;
+  PolygonMesh needle;
+  needle.points.emplace_back(0.0, 0.0, 1e9);
+  for (int side = 0; side < sides; ++side)
+  {
+    const double turn = 6.283185307179586 * side / sides;
+    needle.points.emplace_back(std::cos(turn), std::sin(turn), 0.0);
+    needle.faces.push_back({ 0, 1 + side, 1 + (side + 1) % sides });
+  }
+  const std::vector<float> normals = computed(needle, 30.0);
+  for (std::size_t face = 0; face < needle.faces.size(); ++face)
+  {
+    const Vec3 own = lambent::faceNormal(needle.points, needle.faces[face].data(), 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(normals[9 * face + axis], static_cast<float>(own[axis])) << "face " << face;
+    }
+  }
+}
+
+// Its sides meet at 30 degrees, as far as floats can tell.
+TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
+{
+  PolygonMesh tube;
+  for (int side = 0; side < 12; ++side)
+  {
+    const double turn = 0.1 + 6.283185307179586 * side / 12;
+    tube.points.emplace_back(std::cos(turn), std::sin(turn), 0.0);
+    tube.points.emplace_back(std::cos(turn), std::sin(turn), 1.0);
+    const std::int64_t p = 2 * side, q = 2 * ((side + 1) % 12);
+    tube.faces.push_back({ p, q, q + 1, p + 1 });
+  }
+  const std::vector<float> normals =
+    computedCornerNormals(toFloats(tube), 30.0, MeshStorage::Narrow, lambent::Parallel());
+  for (std::size_t face = 0; face < tube.faces.size(); ++face)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        EXPECT_NEAR(
+          normals[3 * (4 * face + k) + axis], tube.points[tube.faces[face][k]][axis], 1e-6);
+      }
+    }
+  }
+}
+
+TEST(CornerNormals, SmoothMeshesNeedNoNumbers)
+{
+  const PolygonMesh sheet = makeSheet(20, [](double x, double y) { return 0.2 * x * y; });
+  std::vector<double> points;
+  std::vector<std::int64_t> offsets(1, 0), corners;
+  for (const Vec3& p : sheet.points)
+  {
+    points.insert(points.end(), { p.x, p.y, p.z });
+  }
+  for (const auto& face : sheet.faces)
+  {
+    corners.insert(corners.end(), face.begin(), face.end());
+    offsets.push_back(static_cast<std::int64_t>(corners.size()));
+  }
+  lambent::Faces faces;
+  faces.points = { points.data(), true, sheet.points.size() };
+  faces.cells = { { offsets.data(), true, offsets.size() },
+    { corners.data(), true, corners.size() } };
+  faces.blocks = checkCells(faces.cells, faces.points.size, lambent::Parallel()).blocks;
+  const auto normals = lambent::computeCornerNormals(faces, 30.0, lambent::Parallel());
+  EXPECT_FALSE(normals.numbers);
+  EXPECT_EQ(normals.count, sheet.points.size());
+  std::vector<float> ofPoints(3 * sheet.points.size());
+  lambent::computePointNormals(
+    faces, lambent::Weighting::Angle, 1.0f, lambent::Parallel(), ofPoints.data());
+  EXPECT_EQ(
+    std::vector<float>(normals.normals.get(), normals.normals.get() + ofPoints.size()), ofPoints);
+}
+
+// vtkPolyDataNormals gives each group of corners that go together a copy of the point.
+TEST(CornerNormals, GroupsAreThoseOfVTKOnClosedMeshes)
+{
+  for (const double angle : { 20.0, 30.0, 45.0 })
+  {
+    const PolygonMesh mesh = toFloats(makeDentedBall(3, 0.15));
+    vtkNew<vtkPoints> points;
+    for (const Vec3& p : mesh.points)
+    {
+      points->InsertNextPoint(p.x, p.y, p.z);
+    }
+    vtkNew<vtkCellArray> cells;
+    for (const auto& face : mesh.faces)
+    {
+      cells->InsertNextCell({ face[0], face[1], face[2] });
+    }
+    vtkNew<vtkPolyData> polyData;
+    polyData->SetPoints(points);
+    polyData->SetPolys(cells);
+    vtkNew<vtkPolyDataNormals> filter;
+    filter->SetInputData(polyData);
+    filter->SetFeatureAngle(angle);
+    filter->ConsistencyOff();
+    filter->Update();
+
+    const std::vector<float> normals = computed(mesh, angle);
+    std::map<std::int64_t, std::set<std::vector<float>>> ofPoint;
+    std::map<vtkIdType, std::set<std::vector<float>>> ofCopy;
+    std::map<std::int64_t, std::set<vtkIdType>> copiesOf;
+    vtkNew<vtkIdList> ids;
+    for (std::size_t face = 0; face < mesh.faces.size(); ++face)
+    {
+      filter->GetOutput()->GetPolys()->GetCellAtId(static_cast<vtkIdType>(face), ids);
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        const float* n = &normals[9 * face + 3 * k];
+        ofPoint[mesh.faces[face][k]].insert({ n[0], n[1], n[2] });
+        ofCopy[ids->GetId(k)].insert({ n[0], n[1], n[2] });
+        copiesOf[mesh.faces[face][k]].insert(ids->GetId(k));
+      }
+    }
+    int split = 0;
+    for (const auto& [point, copies] : copiesOf)
+    {
+      EXPECT_EQ(ofPoint[point].size(), copies.size()) << "point " << point;
+      split += copies.size() > 1;
+    }
+    for (const auto& [copy, all] : ofCopy)
+    {
+      EXPECT_EQ(all.size(), 1u) << "copy " << copy;
+    }
+    EXPECT_GT(split, 20);
+  }
+}
