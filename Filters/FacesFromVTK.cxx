@@ -39,9 +39,16 @@ lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   }
   else
   {
-    text << "Cell " << cell << " names point " << defect.point << ", but there are " << points
-         << " points, counted from 0. Correct the connectivity of its vtkCellArray, or add the "
-            "missing points.";
+    text << "Cell " << cell << " names point " << defect.point << ", but there are ";
+    if (points > 0)
+    {
+      text << points << " points, 0 to " << points - 1;
+    }
+    else
+    {
+      text << "no points";
+    }
+    text << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
   }
   throw std::runtime_error(text.str());
 }

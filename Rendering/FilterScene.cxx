@@ -22,7 +22,9 @@ FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyD
   this->addCamera(parallel);
   this->addLights();
   this->addBackground();
-  this->Surfaces.addPointNormals(filter->GetUsePointNormals() != 0, filter);
+  constexpr double smoothEverywhere = 180.0;
+  this->Surfaces.addNormals(filter->GetUsePointNormals() != 0,
+    filter->GetSplitting() ? filter->GetFeatureAngle() : smoothEverywhere, parallel);
   this->Description.surfaces = this->Surfaces.surfaces();
 }
 

@@ -15,7 +15,8 @@ class FilterScene
 {
 public:
   /// Surfaces, camera, lights and background. The filter and the inputs must
-  /// outlive this object. Throws std::runtime_error with a message for the user.
+  /// outlive this object. Throws std::runtime_error with a message for the user, and what
+  /// the checkpoints of parallel throw while normals are computed.
   FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs,
     const lambent::Parallel& parallel);
 

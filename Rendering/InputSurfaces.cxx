@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSurfaces.h"
 
-#include "Abort.h"
-#include "vtkLambentNormals.h"
+#include "Chunks.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 namespace
 {
-/// Calls body() and puts the input's number before the message of what it throws.
+/// Calls body() and puts the input's number before the message of what it throws, which may
+/// have begun a sentence.
 template <typename Body>
 void forInput(std::size_t input, Body&& body)
 {
@@ -25,40 +25,13 @@ void forInput(std::size_t input, Body&& body)
   }
   catch (const std::runtime_error& failure)
   {
-    throw std::runtime_error("Input " + std::to_string(input) + ": " + failure.what());
+    std::string message = failure.what();
+    if (!message.empty())
+    {
+      message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+    }
+    throw std::runtime_error("Input " + std::to_string(input) + ": " + message);
   }
-}
-
-/// Aborts a filter as soon as the one that it works for is.
-void followAbort(vtkObject* filter, unsigned long, void* owner, void*)
-{
-  if (isAborted(static_cast<vtkAlgorithm*>(owner)))
-  {
-    static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
-  }
-}
-
-/// Angle-weighted normals of a mesh, whose attributes are not looked at.
-vtkSmartPointer<vtkDataArray> computeNormals(vtkPolyData* input, vtkAlgorithm* owner)
-{
-  vtkNew<vtkPolyData> mesh;
-  mesh->CopyStructure(input);
-  vtkNew<vtkLambentNormals> filter;
-  filter->SetInputData(mesh);
-
-  // What is wrong with the mesh is told by the caller. Warnings are dropped: the
-  // same cells are found again, and told of, when they are streamed.
-  vtkNew<vtkCallbackCommand> silence;
-  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  filter->AddObserver(vtkCommand::ErrorEvent, silence);
-  filter->AddObserver(vtkCommand::WarningEvent, silence);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
-  vtkNew<vtkCallbackCommand> follow;
-  follow->SetClientData(owner);
-  follow->SetCallback(followAbort);
-  filter->AddObserver(vtkCommand::ProgressEvent, follow);
-  filter->Update();
-  return filter->GetOutput()->GetPointData()->GetNormals();
 }
 }
 
@@ -84,27 +57,31 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   }
 }
 
-void InputSurfaces::addPointNormals(bool useOwn, vtkAlgorithm* owner)
+void InputSurfaces::addNormals(bool useOwn, double featureAngle, const lambent::Parallel& parallel)
 {
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(this->Surfaces.size(), 1));
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
-    const lambent::Surface& surface = this->Surfaces[k]->surface();
-    if (surface.material.shading != lambent::Shading::Smooth || surface.triangleCount() == 0)
+    SurfaceFromVTK& surface = *this->Surfaces[k];
+    if (surface.surface().material.shading != lambent::Shading::Smooth ||
+      surface.surface().triangleCount() == 0)
     {
       continue;
     }
-    vtkSmartPointer<vtkDataArray> normals = this->Inputs[k]->GetPointData()->GetNormals();
-    if (!useOwn || !normals)
-    {
-      normals = computeNormals(this->Inputs[k], owner);
-      this->ComputedNormals.push_back(normals);
-    }
-    // None if the mesh has a wrong corner, which is found when it is streamed, or if the
-    // owner was aborted.
-    if (normals)
-    {
-      forInput(k, [&]() { this->Surfaces[k]->setPointNormals(normals); });
-    }
+    forInput(k,
+      [&]()
+      {
+        vtkDataArray* const own = this->Inputs[k]->GetPointData()->GetNormals();
+        if (useOwn && own)
+        {
+          surface.setPointNormals(own);
+          return;
+        }
+        this->HasComputedNormals = true;
+        surface.computeNormals(featureAngle,
+          lambent::Share(
+            parallel, share * static_cast<double>(k), share * static_cast<double>(k + 1)));
+      });
   }
 }
 

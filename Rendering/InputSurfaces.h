@@ -15,8 +15,6 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
-
 class InputSurfaces
 {
 public:
@@ -25,10 +23,11 @@ public:
   InputSurfaces(const std::vector<vtkPolyData*>& inputs,
     const std::vector<lambent::Material>& materials, const lambent::Parallel& parallel);
 
-  /// Give those that are shaded smooth their point normals: their own if they have
-  /// some and these are wanted, computed ones otherwise. Stops early if the filter that
-  /// they are for, the owner, is aborted.
-  void addPointNormals(bool useOwn, vtkAlgorithm* owner);
+  /// Give those that are shaded smooth normals: the inputs' own where they have some and
+  /// these are wanted, computed ones otherwise.
+  void addNormals(bool useOwn, double featureAngle, const lambent::Parallel& parallel);
+  /// Whether it has computed some.
+  bool hasComputedNormals() const { return this->HasComputedNormals; }
 
   /// Which input and cell a triangle, counted over all inputs, belongs to.
   struct Place
@@ -49,7 +48,7 @@ public:
 private:
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
-  std::vector<vtkSmartPointer<vtkDataArray>> ComputedNormals;
+  bool HasComputedNormals = false;
 };
 
 #endif

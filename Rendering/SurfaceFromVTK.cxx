@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFromVTK.h"
 
+#include "Chunks.h"
+#include "FacesFromVTK.h"
+#include "TriangleNormals.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -39,6 +43,26 @@ SurfaceFromVTK::SurfaceFromVTK(
 void SurfaceFromVTK::setPointNormals(vtkDataArray* normals)
 {
   this->Result.pointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point");
+}
+
+void SurfaceFromVTK::computeNormals(double featureAngle, const lambent::Parallel& parallel)
+{
+  const FacesFromVTK mesh(this->Input, lambent::Share(parallel, 0.0, 0.2));
+  this->Normals =
+    lambent::computeCornerNormals(mesh.faces(), featureAngle, lambent::Share(parallel, 0.2, 1.0));
+  this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
+  if (!this->Normals.numbers)
+  {
+    return;
+  }
+  const lambent::IndexSpan& corners = this->Result.corners;
+  this->Result.normalNumbers = { this->Normals.numbers.get(), false, corners.size };
+  if (!this->Triangles.corners.empty())
+  {
+    this->NormalNumbers =
+      lambent::numbersOfTriangles(mesh.faces().cells, this->Normals, corners, parallel);
+    this->Result.normalNumbers.data = this->NormalNumbers.data();
+  }
 }
 
 lambent::TupleSpan SurfaceFromVTK::normals(

@@ -11,12 +11,14 @@
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
 
+#include "CornerNormals.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "SpansFromVTK.h"
 #include "Triangulation.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -33,6 +35,8 @@ public:
 
   /// Normals for smooth shading, one for each point; they must outlive this object.
   void setPointNormals(vtkDataArray* normals);
+  /// Computes them, one for each corner (CornerNormals.h).
+  void computeNormals(double featureAngle, const lambent::Parallel& parallel);
 
   /// What is wrong with a cell that names a point that does not exist.
   std::string describeWrongCell(std::int64_t cell) const;
@@ -45,6 +49,8 @@ private:
   vtkPolyData* Input;
   lambent::Surface Result;
   lambent::TriangleList Triangles;
+  lambent::CornerNormals Normals;          ///< where they are computed
+  std::vector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
 };
 

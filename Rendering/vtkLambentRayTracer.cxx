@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambentRayTracer.h"
 
-#include "Abort.h"
 #include "CameraFrame.h"
+#include "Chunks.h"
 #include "FilterScene.h"
 #include "ImageContract.h"
 #include "OutputImage.h"
 #include "Render.h"
-#include "SMPParallel.h"
 #include "SceneFromVTK.h"
+#include "WatchedParallel.h"
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
@@ -28,6 +28,12 @@
 #include <map>
 #include <new>
 #include <stdexcept>
+
+namespace
+{
+/// How much of the whole is done when normals have been computed, roughly.
+constexpr double normalsShare = 0.3;
+}
 
 struct vtkLambentRayTracer::Internals
 {
@@ -51,6 +57,8 @@ vtkLambentRayTracer::vtkLambentRayTracer()
   , Background2{ 0.0, 0.0, 0.0 }
   , OutputScalarType(VTK_UNSIGNED_CHAR)
   , UsePointNormals(1)
+  , Splitting(1)
+  , FeatureAngle(30.0)
   , GenerateIds(0)
   , Internal(new Internals)
 {
@@ -255,11 +263,12 @@ int vtkLambentRayTracer::RequestData(
   vtkImageData* output = vtkImageData::GetData(outInfo);
   try
   {
-    if (this->MakePicture(inputs[0], outInfo, output))
-    {
-      return 1;
-    }
-    // Aborted. The executive shall not take the empty output for an up-to-date one.
+    this->MakePicture(inputs[0], outInfo, output);
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    // The executive shall not take the empty output for an up-to-date one.
     output->Initialize();
     outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     return 1;
@@ -279,7 +288,7 @@ int vtkLambentRayTracer::RequestData(
   return 0;
 }
 
-bool vtkLambentRayTracer::MakePicture(
+void vtkLambentRayTracer::MakePicture(
   vtkInformationVector* inputs, vtkInformation* outInfo, vtkImageData* output)
 {
   std::vector<vtkPolyData*> meshes;
@@ -292,16 +301,13 @@ bool vtkLambentRayTracer::MakePicture(
     vtkWarningMacro("The camera has settings that are not supported and are ignored: "
       << unsupportedSettings(this->Camera) << ".");
   }
-  if (isAborted(this)) // by who was told that it begins
-  {
-    return false;
-  }
-  const SMPParallel parallel;
-  const FilterScene description(this, meshes, parallel);
-  if (isAborted(this))
-  {
-    return false;
-  }
+  const WatchedParallel parallel(this);
+  parallel.checkAbort(); // a StartEvent observer may already have aborted
+  this->SetProgressText("normals");
+  const FilterScene description(this, meshes, lambent::Share(parallel, 0.0, normalsShare));
+  const double begin = description.surfaces().hasComputedNormals() ? normalsShare : 0.0;
+  parallel.checkAbort();
+  this->SetProgressText("rendering");
   lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
   std::vector<std::uint32_t> triangles;
   if (this->GenerateIds)
@@ -310,24 +316,27 @@ bool vtkLambentRayTracer::MakePicture(
     image.triangles = triangles.data();
   }
   const lambent::Report report = lambent::render(description.scene(), image, parallel,
-    [this](double fraction)
+    [&](double fraction)
     {
-      this->UpdateProgress(fraction);
+      this->UpdateProgress(begin + (1.0 - begin) * fraction);
       return !isAborted(this);
     });
+  if (report.outcome == lambent::Outcome::Aborted)
+  {
+    throw Aborted();
+  }
   if (report.outcome == lambent::Outcome::BadMesh)
   {
     throw std::runtime_error(description.surfaces().describeWrongCorner(report.defects));
   }
-  if (report.outcome == lambent::Outcome::Done && report.defects.notFinite > 0)
+  if (report.defects.notFinite > 0)
   {
     vtkWarningMacro(<< description.surfaces().describeNotFinite(report.defects));
   }
-  if (report.outcome == lambent::Outcome::Done && this->GenerateIds)
+  if (this->GenerateIds)
   {
     addIds(triangles, description.surfaces(), output);
   }
-  return report.outcome == lambent::Outcome::Done;
 }
 
 //------------------------------------------------------------------------------
@@ -367,5 +376,7 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
      << "\n";
   printSwitch("UsePointNormals", this->UsePointNormals);
+  printSwitch("Splitting", this->Splitting);
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   printSwitch("GenerateIds", this->GenerateIds);
 }

@@ -37,7 +37,8 @@
  * drawn; vertices and lines are not. Read from each input: the point normals
  * (vtkPointData::GetNormals(), 3 components, any floating-point type) for
  * smooth shading, the cell normals (vtkCellData::GetNormals()) for flat
- * shading. Inputs are never modified.
+ * shading. Smooth inputs without point normals get some, which leave sharp edges
+ * sharp (Splitting, FeatureAngle). Inputs are never modified.
  *
  * Output: vtkImageData of extent (0, width-1, 0, height-1, 0, 0), spacing 1,
  * origin 0, row 0 at the bottom, with the active point scalars "Color", 3
@@ -184,9 +185,12 @@ public:
 
   ///@{
   /**
-   * Turn the normal towards the viewer where the back of a face is seen (the
-   * side from which its points run clockwise). Off: the normal is used as it
-   * is, and faces seen from behind are usually dark. Default: on.
+   * Turn the normal towards the viewer where the back of a face is seen. The back
+   * is the side from which its points run clockwise; but where the sum of a triangle's
+   * three point normals (or its cell normal, if shaded flat) lies on that side, the
+   * other one is. So a mirrored mesh whose own normals point outward is lit from
+   * outside. Culling goes by the points alone. Off: the normal is used as it is, and
+   * faces seen from behind are usually dark. Default: on.
    */
   vtkSetMacro(TwoSidedLighting, vtkTypeBool);
   vtkGetMacro(TwoSidedLighting, vtkTypeBool);
@@ -222,13 +226,37 @@ public:
 
   ///@{
   /**
-   * Use the point normals that a smooth input has. Off, or where it has none:
-   * vtkLambentNormals computes them (angle-weighted) for this picture.
-   * Default: on.
+   * Use the point normals that a smooth input has. Off, or where it has none, they are
+   * computed for this picture; see Splitting. Default: on.
    */
   vtkSetMacro(UsePointNormals, vtkTypeBool);
   vtkGetMacro(UsePointNormals, vtkTypeBool);
   vtkBooleanMacro(UsePointNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Keep edges sharp where normals are computed: those between two faces whose normals are
+   * more than FeatureAngle apart. The normal at a corner of a face is then the angle-weighted
+   * mean of the faces round the point that are reached over edges that are not sharp. Faces
+   * that are there twice, once each way round, have normals of their own on both sides. No
+   * points are copied. Off: as with a FeatureAngle of 180. Normals that an input brings along
+   * are used as they are. Default: on.
+   */
+  vtkSetMacro(Splitting, vtkTypeBool);
+  vtkGetMacro(Splitting, vtkTypeBool);
+  vtkBooleanMacro(Splitting, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest angle, in degrees, between the normals of two faces that still go smoothly
+   * into each other when Splitting is on; clamped to [0, 180]. At 180 the surface is smooth
+   * everywhere. A coarse cylinder or sphere whose faces meet at larger angles shows facets:
+   * raise the angle. Default: 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
@@ -278,14 +306,16 @@ protected:
   double Background2[3];
   int OutputScalarType;
   vtkTypeBool UsePointNormals;
+  vtkTypeBool Splitting;
+  double FeatureAngle;
   vtkTypeBool GenerateIds;
 
 private:
   vtkLambentRayTracer(const vtkLambentRayTracer&) = delete;
   void operator=(const vtkLambentRayTracer&) = delete;
 
-  /// False if aborted. Throws a std::exception with a message for the user.
-  bool MakePicture(vtkInformationVector* inputs, vtkInformation* outInfo, vtkImageData* output);
+  /// Throws Aborted, or a std::exception with a message for the user.
+  void MakePicture(vtkInformationVector* inputs, vtkInformation* outInfo, vtkImageData* output);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -110,6 +110,11 @@ void AddSurface(CLI::App& app, Options& options)
         : throw BadValue("'" + text + "' is not smooth, flat or unlit");
     },
     "[smooth]");
+  AddValue(
+    app, "--feature-angle", "DEG", options.featureAngle,
+    [](const std::string& text) { return ParseNumber(text, 0, 180); },
+    "smooth: edges of two faces further apart stay sharp, in meshes without normals; 180: smooth "
+    "everywhere, also coarse cylinders and spheres [30]");
   const std::map<std::string, AmbientModel> models = { { "per-light", AmbientModel::PerLight },
     { "scene", AmbientModel::Scene } };
   AddValue(

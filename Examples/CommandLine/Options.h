@@ -76,6 +76,7 @@ struct Options
   std::vector<LightValue> lights; ///< none: a headlight
 
   Shading shading = Shading::Smooth;
+  double featureAngle = 30; ///< degrees; edges sharper than that stay sharp
   AmbientModel ambientModel = AmbientModel::PerLight;
   double diffuse = 1;
   double ambient = 0;

@@ -216,6 +216,7 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
       ? vtkLambentRayTracer::SCENE
       : vtkLambentRayTracer::PER_LIGHT);
   tracer->SetProperty(MakeProperty(options));
+  tracer->SetFeatureAngle(options.featureAngle);
 
   SetUpCamera(options, tracer);
   for (const LightValue& value : options.lights)

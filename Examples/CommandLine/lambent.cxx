@@ -16,10 +16,11 @@
 #include "Stopwatch.h"
 #include "WritePicture.h"
 
-#include "vtkLambentNormals.h"
 #include "vtkLambentRayTracer.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -62,35 +63,6 @@ Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progr
   return meshes;
 }
 
-/// Smooth shading needs point normals. The ray tracer would make them itself; here they are a
-/// stage of their own, with its own time.
-void AddNormals(const Options& options, Meshes& meshes, VtkMessages& messages, Progress& progress)
-{
-  if (options.shading != Shading::Smooth)
-  {
-    return;
-  }
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-  {
-    if (meshes[i]->GetPointData()->GetNormals())
-    {
-      continue;
-    }
-    progress.Begin("normals of " + options.inputs[i]);
-    vtkNew<vtkLambentNormals> normals;
-    progress.Follow(normals);
-    normals->SetInputData(meshes[i]);
-    normals->Update();
-    const std::string error = messages.TakeError();
-    if (!error.empty())
-    {
-      throw Failure("cannot compute normals of '" + options.inputs[i] + "': " + error);
-    }
-    messages.DropWarnings(); // of cells that cannot be drawn; the ray tracer says the same
-    meshes[i] = normals->GetOutput();
-  }
-}
-
 /// A picture, and if it is to be compared, what its pixels show.
 struct Drawing
 {
@@ -106,11 +78,31 @@ vtkSmartPointer<vtkIdTypeArray> TakeIds(vtkImageData* picture, const char* name)
   return ids;
 }
 
-Drawing Render(
-  const Options& options, const Meshes& meshes, VtkMessages& messages, Progress& progress)
+/// Takes the time of the first of a ray tracer's two stages, "normals" and "rendering".
+void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&stopwatch);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* clock, void*)
+    {
+      auto& stopwatch = *static_cast<Stopwatch*>(clock);
+      const char* const stage = static_cast<vtkAlgorithm*>(caller)->GetProgressText();
+      if (stage && std::string(stage) == "rendering" &&
+        stopwatch.GetLaps().back().first != "normals")
+      {
+        stopwatch.Lap("normals");
+      }
+    });
+  tracer->AddObserver(vtkCommand::ProgressEvent, observer);
+}
+
+Drawing Render(const Options& options, const Meshes& meshes, VtkMessages& messages,
+  Progress& progress, Stopwatch& stopwatch)
 {
   progress.Begin("rendering");
   const auto tracer = MakeScene(options, meshes);
+  LapNormals(tracer, stopwatch);
   tracer->SetGenerateIds(!options.comparison.baseline.empty());
   progress.Follow(tracer);
   tracer->Update();
@@ -182,11 +174,9 @@ bool Draw(Options options, VtkMessages& messages)
   options.size = SizeOf(options, messages);
 
   Stopwatch stopwatch;
-  Meshes meshes = ReadMeshes(options, messages, progress);
+  const Meshes meshes = ReadMeshes(options, messages, progress);
   stopwatch.Lap("reading");
-  AddNormals(options, meshes, messages, progress);
-  stopwatch.Lap("normals");
-  const Drawing drawing = Render(options, meshes, messages, progress);
+  const Drawing drawing = Render(options, meshes, messages, progress, stopwatch);
   stopwatch.Lap("rendering");
   if (!options.output.empty())
   {

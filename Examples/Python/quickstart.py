@@ -28,6 +28,7 @@ surface.SetAmbient(0.05)
 tracer = vtkLambentRayTracer()
 tracer.SetInputConnection(mesh.GetOutputPort())
 tracer.SetProperty(surface)
+tracer.SetFeatureAngle(180)  # smooth everywhere: its ribs are round
 tracer.SetCamera(camera)
 tracer.AddLight(evening)
 tracer.AddLight(sky)

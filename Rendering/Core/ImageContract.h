@@ -15,12 +15,18 @@
  * - Float, and whatever else is fast, may decide what is proven to come out the same
  *   here, and nothing else: which triangles a ray cannot meet, and which hits are
  *   certain (PointLattice.h, Coverage.h).
+ * - Normals of smooth surfaces that bring none are those of CornerNormals.h, rounded to float.
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight
  *   Ray/Triangle Intersection", JCGT 2(1), 2013, with one more condition, see
  *   intersect().
  *
  * A change that can alter a single bit of a picture changes users' baselines: it
  * needs a new ImageContractVersion and a line in the change list.
+ *
+ * Version 2: computed normals leave edges sharp that are sharper than the feature angle, and
+ * a triangle's normals say which of its sides is the front (Shader::isReversed()). Before,
+ * corners of boxes were shaded like cushions, sheets whose faces are there twice were speckled,
+ * since normals cancelled to rounding noise, and mirrored meshes were dark outside.
  */
 #ifndef lambent_ImageContract_h
 #define lambent_ImageContract_h
@@ -33,7 +39,7 @@
 
 namespace lambent
 {
-constexpr int ImageContractVersion = 1;
+constexpr int ImageContractVersion = 2;
 
 using Vec3 = glm::dvec3;
 

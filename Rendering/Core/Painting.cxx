@@ -239,6 +239,7 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
 {
   const Surface& surface = *part.surface;
   const bool smooth = surface.isSmooth();
+  const bool hasNumbers = smooth && surface.normalNumbers.data;
   int runs[ShadeBatch::places];
   int count = 0;
   std::fill_n(batch.isWanted, batch.runCount, 0.0);
@@ -249,9 +250,15 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
       batch.isWanted[run] = 1.0;
       runs[count++] = run;
       hwy::Prefetch(surface.corners.at(3 * (batch.triangles[run] - part.firstTriangle)));
+      if (hasNumbers)
+      {
+        hwy::Prefetch(surface.normalNumbers.at(3 * (batch.triangles[run] - part.firstTriangle)));
+      }
     }
   }
   std::uint64_t corners[ShadeBatch::places][3];
+  std::uint64_t numbers[ShadeBatch::places][3];
+  const auto& normals = hasNumbers ? numbers : corners;
   for (int k = 0; k < count; ++k)
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -259,9 +266,13 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
       const std::size_t triangle = batch.triangles[runs[k]] - part.firstTriangle;
       corners[k][corner] = surface.corners[3 * triangle + corner];
       hwy::Prefetch(surface.points.at(corners[k][corner]));
+      if (hasNumbers)
+      {
+        numbers[k][corner] = surface.normalNumbers[3 * triangle + corner];
+      }
       if (smooth)
       {
-        hwy::Prefetch(surface.pointNormals.at(corners[k][corner]));
+        hwy::Prefetch(surface.pointNormals.at(normals[k][corner]));
       }
     }
   }
@@ -278,7 +289,7 @@ void Painting::load(const Mesh::Part& part, const ShadeRange& range, ShadeBatch&
       put(batch.points + 3 * corner, runs[k], surface.points[corners[k][corner]]);
       if (smooth)
       {
-        put(batch.normals + 3 * corner, runs[k], surface.pointNormals[corners[k][corner]]);
+        put(batch.normals + 3 * corner, runs[k], surface.pointNormals[normals[k][corner]]);
       }
     }
     if (!smooth)

@@ -90,13 +90,20 @@ struct Surface
   TupleSpan points;
   IndexSpan corners;
   TupleSpan pointNormals; ///< one a point, or none
-  TupleSpan cellNormals;  ///< one a cell, or none
+  /// Where corners at one point have different normals: which of pointNormals each corner
+  /// has. None: the one of its point.
+  IndexSpan normalNumbers;
+  TupleSpan cellNormals; ///< one a cell, or none
   /// The cell of each triangle; nullptr: cell = firstCell + triangle.
   const std::int64_t* cells = nullptr;
   std::int64_t firstCell = 0;
   Material material;
 
   bool isSmooth() const { return this->material.shading == Shading::Smooth && this->pointNormals; }
+  const IndexSpan& normalsOfCorners() const
+  {
+    return this->normalNumbers.data ? this->normalNumbers : this->corners;
+  }
   std::size_t triangleCount() const { return this->corners.size / 3; }
   std::int64_t cellOf(std::size_t triangle) const
   {

@@ -20,6 +20,11 @@
  * which are the barycentric coordinates but for a factor. That factor is negative
  * on the back of a face, where two-sided lighting turns the normal anyway.
  *
+ * Two-sided lighting turns the normal to the viewer. The front of a triangle is where its
+ * corners run counter-clockwise, or the other side where its normals lie there (isReversed()):
+ * in a mirrored mesh the faces run the wrong way round while the normals still point outward.
+ * It is judged once for the whole triangle, so that no seam runs through it.
+ *
  * Shader::color() is the definition; ShadingKernel.h does the same for many hits.
  */
 #ifndef lambent_Shading_h
@@ -58,6 +63,10 @@ public:
 
   /// The normal of the face: the cell's, if the surface has some.
   static Vec3 faceNormal(const Surface& surface, std::size_t triangle);
+
+  /// Whether the sum of the triangle's three point normals (or the face's normal where it is
+  /// shaded flat) lies on the other side of the one that its winding says is its front.
+  static bool isReversed(const Surface& surface, std::size_t triangle);
 
   const CameraFrame& frame() const { return this->Frame; }
   const std::vector<LightSource>& sources() const { return this->Sources; }

@@ -51,6 +51,12 @@ Vector3 operator*(const Vector3& a, const Vector3& b)
   return { hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z) };
 }
 
+Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return { hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+    hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)), hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x)) };
+}
+
 V dot(const Vector3& a, const Vector3& b)
 {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
@@ -150,6 +156,32 @@ void storeBytes(V value, std::uint8_t* bytes)
   hn::StoreU(hn::DemoteTo(d8, rounded), d8, bytes);
 }
 
+Vector3 load(const double (*rows)[ShadeBatch::room], int k)
+{
+  return { hn::LoadU(d, rows[0] + k), hn::LoadU(d, rows[1] + k), hn::LoadU(d, rows[2] + k) };
+}
+
+/// Turn the normals of the runs whose triangles are reversed (Shader::isReversed()).
+void turnReversed(bool smooth, const ShadeRange& range, ShadeBatch& batch)
+{
+  for (int k = range.firstRun; k < range.endRun; k += static_cast<int>(lanes))
+  {
+    const Vector3 a = load(batch.points, k);
+    const Vector3 area = cross(load(batch.points + 3, k) - a, load(batch.points + 6, k) - a);
+    Vector3 given = load(batch.normals, k);
+    if (smooth)
+    {
+      given = (given + load(batch.normals + 3, k)) + load(batch.normals + 6, k);
+    }
+    const M isReversed = hn::Lt(dot(area, given), hn::Zero(d));
+    for (int row = 0; !hn::AllFalse(d, isReversed) && row < (smooth ? 9 : 3); ++row)
+    {
+      const V value = hn::LoadU(d, batch.normals[row] + k);
+      hn::StoreU(hn::IfThenElse(isReversed, hn::Neg(value), value), d, batch.normals[row] + k);
+    }
+  }
+}
+
 /// Bring the corners of the runs into the camera's frame.
 void toFrame(const VectorFrame& frame, const ShadeRange& range, ShadeBatch& batch)
 {
@@ -211,6 +243,10 @@ void ShadeHits(const Shader& shader, const Material& material, bool smooth, cons
   ShadeBatch& batch)
 {
   constexpr auto step = static_cast<int>(lanes);
+  if (shader.isTwoSided())
+  {
+    turnReversed(smooth, range, batch);
+  }
   toFrame(VectorFrame(shader.frame()), range, batch);
   for (int place = range.first / step * step; place < range.end; place += step)
   {

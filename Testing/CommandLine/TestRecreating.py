@@ -67,7 +67,7 @@ class TestRecreating(CommandTest):
         text = texts(self.draw("--threads", "1", "--size", "16x9", "--color", "0.5,0.5,1", "--light",
                                "direction=0,0,-1;color=red"))
         self.assertEqual(text, {
-            CONTRACT: "1",
+            CONTRACT: "2",
             COMMAND_KEY: "lambent square.obj 'it'\\''s a tetrahedron, é.obj' --color 0.5,0.5,1 "
                          "--light 'direction=0,0,-1;color=red' --size 16x9"})
 

@@ -206,13 +206,16 @@ class TestSurface(CommandTest):
 
     def test_flat_and_smooth(self):
         # A ridge along y, its sides at 45 degrees: flat, both sides have the cosine sqrt(1/2);
-        # smooth, the ridge itself has a normal along z.
+        # smooth, the ridge itself has a normal along z. It is an edge of 90 degrees.
         points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
         self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
         view = ("ridge.obj", "--parallel-scale", "0.9", "--light", "direction=0,0,-1")
         side = (byte(math.sqrt(0.5)),) * 3
         self.assertEqual(self.pixels(*view, "--shading", "flat")[4], [side] * 9)
-        smooth = self.pixels(*view)[4]
+        self.assertEqual(self.pixels(*view)[4], [side] * 9)
+        self.assertEqual(self.pixels(*view, "--feature-angle", "89")[4], [side] * 9)
+        smooth = self.pixels(*view, "--feature-angle", "91")[4]
+        self.assertEqual(self.pixels(*view, "--feature-angle", "180")[4], smooth)
         self.assertEqual(smooth[4], WHITE)
         self.assertEqual([pixel[0] for pixel in smooth[:5]],
                          sorted({pixel[0] for pixel in smooth}))

@@ -4,6 +4,7 @@
 // bit for bit; and the input is left alone.
 #include "FuzzMesh.h"
 
+#include "CornerNormals.h"
 #include "FacesFromVTK.h"
 #include "VectorTarget.h"
 
@@ -15,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <exception>
 #include <vector>
 
@@ -28,6 +30,25 @@ void set(FuzzInput& input, vtkLambentNormals* filter)
   filter->SetSplitting(input.flag());
   filter->SetFeatureAngle(input.number() * 30.0);
   filter->SetFlipNormals(input.flag());
+}
+
+/// What the ray tracer would compute: the same bits with and without vectors.
+void checkCornerNormals(const lambent::Faces& faces, double featureAngle)
+{
+  const auto compute = [&]()
+  { return computeCornerNormals(faces, featureAngle, lambent::Parallel()); };
+  const lambent::CornerNormals plain = compute();
+  lambent::useVectorTarget(lambent::vectorTargets().back());
+  const lambent::CornerNormals fast = compute();
+  lambent::useVectorTarget("plain");
+  const auto corners = faces.cells.offsets[lambent::cellCount(faces.cells)];
+  require(plain.count == fast.count && !plain.numbers == !fast.numbers, "corners split alike");
+  require(
+    std::equal(plain.normals.get(), plain.normals.get() + 3 * plain.count, fast.normals.get()),
+    "corners have the normals of the plain code");
+  require(!plain.numbers ||
+      std::equal(plain.numbers.get(), plain.numbers.get() + corners, fast.numbers.get()),
+    "corners have the numbers of the plain code");
 }
 
 /// Of what is not split, by the plain code. False if the mesh cannot be read.
@@ -44,6 +65,10 @@ bool computePlainly(vtkLambentNormals* filter, vtkPolyData* mesh, std::vector<fl
     computePointNormals(faces.faces(), static_cast<lambent::Weighting>(filter->GetWeighting()),
       sign, one, points.data());
     computeFaceNormals(faces.faces(), sign, one, cells.data());
+    if (!cells.empty())
+    {
+      checkCornerNormals(faces.faces(), filter->GetFeatureAngle());
+    }
     return true;
   }
   catch (const std::exception&)

@@ -238,6 +238,7 @@ private:
         break;
       case 4:
         this->Tracer->SetUsePointNormals(input.flag());
+        this->Tracer->SetFeatureAngle(this->Tracer->GetFeatureAngle() > 90.0 ? 20.0 : 180.0);
         break;
       case 5:
         this->Tracer->SetBackground(input.within(0.0, 1.0), input.within(0.0, 1.0), input.number());

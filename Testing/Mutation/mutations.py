@@ -30,6 +30,11 @@ NORMAL = "Filters/Core/NormalContribution.h"
 NORMAL_KERNEL = "Filters/Core/NormalKernel.cxx"
 ANGLES = "Filters/Core/CornerAngles.h"
 SHARP = "Filters/Core/SharpEdges.cxx"
+CREASES = "Filters/Core/Creases.h"
+CREASE_KERNEL = "Filters/Core/CreaseKernel.cxx"
+CREASED = "Filters/Core/CreasedPoint.h"
+CORNERS = "Filters/Core/CornerNormals.cxx"
+TRIANGLE_NORMALS = "Filters/Core/TriangleNormals.cxx"
 SCENE = "Rendering/SceneFromVTK.cxx"
 
 MUTATIONS = [
@@ -209,6 +214,35 @@ MUTATIONS = [
     (SHARP, "result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(point)",
      "result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(0)",
      "copies are of their points"),
+    # The normals of corners.
+    (CREASES, "!(along > 0.0 && ", "!(", "faces that look away are steep"),
+    (CREASES, "along * along >= squaredCosine * square", "along * along > 1.01 * squaredCosine * square",
+     "half the feature angle is not steep"),
+    (CREASE_KERNEL, "hn::Ge(hn::Mul(along, along), least)", "hn::Ge(along, least)",
+     "the kernel compares squares"),
+    (CREASED, "a->leaves != b->leaves && ", "", "neighbours run an edge opposite ways"),
+    (CREASED, "return isSmooth && !", "return isSmooth || !", "sharp edges link nothing"),
+    (CREASED, "&& !this->areOpposite(this->Corners[a].face, this->Corners[b].face)", "",
+     "opposite faces never mix"),
+    (CREASED, "mostFacesAtEdge = 64", "mostFacesAtEdge = 65", "edges of very many faces"),
+    (CREASED, "return sum.isDirection ? sum.vector : this->FaceNormals[corner];", "return sum.vector;",
+     "terms that cancel give the face's own normal"),
+    (CREASED, "if (groups == 1 && this->isLong(allSum, count))", "if (this->isLong(allSum, count))",
+     "groups have sums of their own"),
+    (CORNERS, "std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20))", "cosDegrees(angle)",
+     "all faces lie within half the feature angle"),
+    (CORNERS, "featureAngle + featureAngleMargin", "featureAngle",
+     "rounding does not make edges sharp"),
+    (CORNERS, "static_cast<std::int32_t>(first[i]) + use.number", "use.number",
+     "further normals follow those of the points"),
+    (TRIANGLE_NORMALS, "normals.numbers.get() + cells.offsets[face]", "normals.numbers.get()",
+     "each face has its own numbers"),
+    (SHADING, "const bool isTurned = this->TwoSided && isReversed(surface, triangle);",
+     "const bool isTurned = false;", "normals tell which side is the front"),
+    (SHADING, "(normal(0) + normal(1)) + normal(2)", "normal(0)",
+     "all three normals tell which side is the front"),
+    (SHADING_KERNEL, "given = (given + load(batch.normals + 3, k)) + load(batch.normals + 6, k);", "",
+     "the kernel sums all three normals"),
     (ANGLES, "return x < 0.0 ? (piHigh - angle) + piLow : angle;", "return angle;",
      "obtuse angles"),
     (ANGLES, "if (x <= tangentOfEighth * y)", "if (false)", "angles near a right one"),

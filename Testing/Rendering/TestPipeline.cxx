@@ -69,6 +69,8 @@ TEST(Pipeline, RendersAgainExactlyWhenSomethingHasChanged)
     { "Background2", [&]() { tracer->SetBackground2(0.1, 0.2, 0.3); } },
     { "OutputScalarType", [&]() { tracer->SetOutputScalarTypeToUnsignedChar(); } },
     { "UsePointNormals", [&]() { tracer->UsePointNormalsOff(); } },
+    { "FeatureAngle", [&]() { tracer->SetFeatureAngle(15.0); } },
+    { "Splitting", [&]() { tracer->SplittingOff(); } },
   };
   const Executions executions(tracer);
   tracer->Update();

@@ -7,6 +7,7 @@
 
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <thread>
 
 namespace
@@ -53,6 +54,28 @@ TEST(Progress, RisesToOneInTheCallersThread)
   EXPECT_GE(watcher.told.front(), 0.0);
   EXPECT_EQ(watcher.told.back(), 1.0);
   EXPECT_TRUE(watcher.isOwnThread);
+}
+
+// Normals that are computed have a share of it.
+TEST(Progress, IsToldWhileNormalsAreComputed)
+{
+  Studio studio(64, 48);
+  Mesh sphere = makeSphere(150);
+  sphere->GetPointData()->SetNormals(nullptr);
+  studio.tracer->SetInputData(sphere);
+  Watcher watcher(studio.tracer);
+  studio.tracer->Update();
+  EXPECT_TRUE(std::is_sorted(watcher.told.begin(), watcher.told.end()));
+  EXPECT_GT(std::count_if(watcher.told.begin(), watcher.told.end(),
+              [](double fraction) { return fraction > 0.0 && fraction < 0.3; }),
+    2);
+  EXPECT_EQ(watcher.told.back(), 1.0);
+  const Messages messages(studio.tracer);
+  watcher.abortAt = 0.1;
+  studio.tracer->Modified();
+  studio.tracer->Update();
+  EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(messages.errors().empty());
 }
 
 TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)

@@ -23,6 +23,8 @@ TEST(Settings, Defaults)
   EXPECT_EQ(glm::make_vec3(tracer->GetBackground2()), Vec(0.0));
   EXPECT_EQ(tracer->GetOutputScalarType(), VTK_UNSIGNED_CHAR);
   EXPECT_TRUE(tracer->GetUsePointNormals());
+  EXPECT_TRUE(tracer->GetSplitting());
+  EXPECT_EQ(tracer->GetFeatureAngle(), 30.0);
   EXPECT_FALSE(tracer->GetGenerateIds());
   EXPECT_GE(vtkLambentRayTracer::GetImageContractVersion(), 1);
 }
@@ -92,7 +94,8 @@ TEST(Settings, PrintSelfIsWhole)
   for (const char* part : { "ImageSize: 123 x 456", "Camera: (none)", "Lights:", "Property: (none)",
          "AmbientModel: PerLight", "TwoSidedLighting: On", "Background: (0.125, 0.25, 0.5)",
          "GradientBackground: Off", "Background2: (0.75, 0.625, 0.375)",
-         "OutputScalarType: unsigned char", "UsePointNormals: On" })
+         "OutputScalarType: unsigned char", "UsePointNormals: On", "Splitting: On",
+         "FeatureAngle: 30" })
   {
     EXPECT_NE(text.str().find(part), std::string::npos) << part << " in\n" << text.str();
   }
@@ -102,12 +105,14 @@ TEST(Settings, PrintSelfIsWhole)
   studio.tracer->TwoSidedLightingOff();
   studio.tracer->GradientBackgroundOn();
   studio.tracer->UsePointNormalsOff();
+  studio.tracer->SplittingOff();
+  studio.tracer->SetFeatureAngle(45.5);
   studio.camera->SetViewAngle(12.5);
   std::ostringstream other;
   studio.tracer->Print(other);
-  for (const char* part :
-    { "InputProperty 3:", "AmbientModel: Scene", "TwoSidedLighting: Off", "GradientBackground: On",
-      "OutputScalarType: float", "UsePointNormals: Off", "ViewAngle: 12.5" })
+  for (const char* part : { "InputProperty 3:", "AmbientModel: Scene", "TwoSidedLighting: Off",
+         "GradientBackground: On", "OutputScalarType: float", "UsePointNormals: Off",
+         "Splitting: Off", "FeatureAngle: 45.5", "ViewAngle: 12.5" })
   {
     EXPECT_NE(other.str().find(part), std::string::npos) << part << " in\n" << other.str();
   }

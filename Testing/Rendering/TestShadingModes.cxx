@@ -144,7 +144,8 @@ TEST(ShadingModes, TwoSidedLightingTurnsTheNormalToTheViewer)
 }
 
 // The back of a face is where its points run clockwise, whatever its normals say.
-TEST(ShadingModes, TheGeometryTellsTheSides)
+// As in a mirrored mesh: its faces run the other way round, its normals say where outside is.
+TEST(ShadingModes, NormalsOnTheOtherSideOfTheWindingTellTheSides)
 {
   Facing facing;
   setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, -1.0 }));
@@ -153,9 +154,12 @@ TEST(ShadingModes, TheGeometryTellsTheSides)
   {
     facing.property->SetInterpolation(interpolation);
     facing.look({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, 0.0 });
-    facing.expect(0.0, "the front, with a normal that points away");
+    facing.expect(0.8, "the lit side: the normal is turned over");
     facing.look({ 0.0, 0.0, -5.0 }, { 0.0, 0.0, 0.0 });
-    facing.expect(0.8, "the back: the normal is turned over");
+    facing.expect(0.0, "the dark side: the normal points at the viewer");
+    facing.property->BackfaceCullingOn();
+    facing.expectNothing("the dark side is the back by the winding, which culling goes by");
+    facing.property->BackfaceCullingOff();
   }
 }
 

@@ -2,7 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodySurface.h"
 
-#include "MergedFaces.h"
+#include "CellBlocks.h"
+#include "CellView.h"
+#include "TriangleNormals.h"
+
+namespace
+{
+constexpr double featureAngle = 30.0; // the ray tracer's default
+}
 
 BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   : HasFloats(body.hasFloatPoints)
@@ -77,23 +84,70 @@ lambent::TupleSpan BodySurface::keep(const std::vector<Vec3>& tuples, std::vecto
                         : lambent::TupleSpan{ memory.data(), true, tuples.size() };
 }
 
+std::unique_ptr<BodySurface::BodyFaces> BodySurface::faces(const lambent::Parallel& parallel) const
+{
+  auto result = std::make_unique<BodyFaces>();
+  lambent::Faces& faces = result->faces;
+  faces.points = this->points();
+  faces.cells = this->cells();
+  if (this->Kind == lambent::CellKind::Strips)
+  {
+    result->merged = mergeFaces(lambent::CellSpan(), this->cells(), lambent::Parallel());
+    faces.cells = result->merged.span();
+  }
+  faces.blocks = checkCells(faces.cells, faces.points.size, parallel).blocks;
+  faces.skip = findNonFinite(faces.points, faces.cells, parallel);
+  return result;
+}
+
 std::vector<Vec3> BodySurface::pointNormals(
   lambent::Weighting how, const lambent::Parallel& parallel) const
 {
-  const lambent::MergedFaces merged = this->Kind == lambent::CellKind::Strips
-    ? mergeFaces(lambent::CellSpan(), this->cells(), lambent::Parallel())
-    : lambent::MergedFaces();
-  lambent::Faces faces;
-  faces.points = this->points();
-  faces.cells = this->Kind == lambent::CellKind::Strips ? merged.span() : this->cells();
-  faces.blocks = checkCells(faces.cells, faces.points.size, parallel).blocks;
-  faces.skip = findNonFinite(faces.points, faces.cells, parallel);
-  std::vector<float> normals(3 * faces.points.size);
-  computePointNormals(faces, how, 1.0f, parallel, normals.data());
+  std::vector<float> normals(3 * this->points().size);
+  computePointNormals(this->faces(parallel)->faces, how, 1.0f, parallel, normals.data());
   std::vector<Vec3> result;
   for (std::size_t k = 0; k < normals.size(); k += 3)
   {
     result.emplace_back(normals[k], normals[k + 1], normals[k + 2]);
+  }
+  return result;
+}
+
+void BodySurface::computeNormals(const lambent::Parallel& parallel)
+{
+  const auto faces = this->faces(parallel);
+  this->Normals = computeCornerNormals(faces->faces, featureAngle, parallel);
+  this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
+  if (this->Normals.numbers)
+  {
+    this->NormalNumbers =
+      numbersOfTriangles(faces->faces.cells, this->Normals, this->Result.corners, parallel);
+    this->Result.normalNumbers = { this->NormalNumbers.data(), false, this->NormalNumbers.size() };
+  }
+}
+
+Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& parallel) const
+{
+  const auto faces = this->faces(parallel);
+  const lambent::CornerNormals normals = computeCornerNormals(faces->faces, featureAngle, parallel);
+  const lambent::CellSpan& cells = faces->faces.cells;
+  Body result = body;
+  result.kind = lambent::CellKind::Polygons;
+  result.shape = Shape();
+  result.pointNormals.clear();
+  for (std::size_t face = 0; face < lambent::cellCount(cells); ++face)
+  {
+    result.shape.cells.emplace_back();
+    for (std::size_t place = cells.offsets[face]; place < cells.offsets[face + 1]; ++place)
+    {
+      const std::uint64_t point = cells.connectivity[place];
+      const std::uint64_t normal =
+        normals.numbers ? static_cast<std::uint64_t>(normals.numbers[place]) : point;
+      const float* const n = &normals.normals[3 * normal];
+      result.shape.cells.back().push_back(static_cast<std::int64_t>(result.shape.points.size()));
+      result.shape.points.push_back(body.shape.points[point]);
+      result.pointNormals.emplace_back(n[0], n[1], n[2]);
+    }
   }
   return result;
 }

@@ -9,8 +9,11 @@
 
 #include "Stage.h"
 
+#include "CornerNormals.h"
+#include "MergedFaces.h"
 #include "Parallel.h"
-#include "PointNormals.h"
+
+#include <memory>
 
 /// The surface and the memory that its spans point to.
 class BodySurface
@@ -25,7 +28,21 @@ public:
   /// What vtkLambentNormals computes for the body; one a point.
   std::vector<Vec3> pointNormals(lambent::Weighting how, const lambent::Parallel& parallel) const;
 
+  /// What vtkLambentRayTracer computes for the body, one a corner, is what it has from now on.
+  void computeNormals(const lambent::Parallel& parallel);
+
+  /// The body with those normals at points that no two corners share, strips as triangles: its
+  /// cells can then go any way.
+  Body withOwnCorners(const Body& body, const lambent::Parallel& parallel) const;
+
 private:
+  /// Polygons, and the triangles of strips.
+  struct BodyFaces
+  {
+    lambent::MergedFaces merged;
+    lambent::Faces faces;
+  };
+  std::unique_ptr<BodyFaces> faces(const lambent::Parallel& parallel) const;
   void setPoints(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
   lambent::TupleSpan points() const;
@@ -41,6 +58,8 @@ private:
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;
   lambent::TriangleList Triangles;
+  lambent::CornerNormals Normals;
+  std::vector<std::int32_t> NormalNumbers;
   lambent::Surface Result;
 };
 

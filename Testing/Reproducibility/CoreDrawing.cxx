@@ -12,21 +12,34 @@
 
 namespace
 {
+bool lacksNormals(const Body& body)
+{
+  return body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty();
+}
+
 /// Bodies as surfaces, with the normals that smooth ones without any get.
 std::vector<std::unique_ptr<BodySurface>> surfacesOf(
   std::vector<Body> bodies, unsigned int shuffle, const lambent::Parallel& parallel)
 {
   for (Body& body : bodies)
   {
-    if (body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty())
+    if (lacksNormals(body) && body.weighting != lambent::Weighting::Angle)
     {
       body.pointNormals = BodySurface(body, parallel).pointNormals(body.weighting, parallel);
+    }
+    else if (lacksNormals(body) && shuffle)
+    {
+      body = BodySurface(body, parallel).withOwnCorners(body, parallel);
     }
   }
   std::vector<std::unique_ptr<BodySurface>> surfaces;
   for (const Body& body : shuffle ? shuffled(bodies, shuffle) : bodies)
   {
     surfaces.push_back(std::make_unique<BodySurface>(body, parallel));
+    if (lacksNormals(body))
+    {
+      surfaces.back()->computeNormals(parallel);
+    }
   }
   return surfaces;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -207,6 +208,15 @@ Shape moved(Shape shape, const Vec3& by)
   for (Vec3& p : shape.points)
   {
     p = p + by;
+  }
+  return shape;
+}
+
+Shape turned(Shape shape)
+{
+  for (auto& cell : shape.cells)
+  {
+    std::reverse(cell.begin(), cell.end());
   }
   return shape;
 }

@@ -65,6 +65,9 @@ Shape layers(int count);
 Shape scaled(Shape shape, const Vec3& factors);
 Shape moved(Shape shape, const Vec3& by);
 
+/// The same faces the other way round.
+Shape turned(Shape shape);
+
 /// The same triangles with no point shared.
 Shape apart(const Shape& shape);
 

@@ -75,6 +75,48 @@ SceneList surfaceScenes()
           body.cellNormals.push_back(body.shape.points[cell[0]] + random.inBox(0.25));
         }
       } },
+    { "surface-sharp-edges",
+      [](Stage& s)
+      {
+        s.daylight();
+        s.add(moved(box(Vec3(0.6)), Vec3(-0.7, -0.3, 0.0)));
+        s.add(moved(scaled(cylinder(3), Vec3(0.5)), Vec3(0.8, 0.4, 0.0)));
+        s.add(moved(scaled(star(7), Vec3(0.4)), Vec3(0.6, -0.6, 0.8)));
+      } },
+    { "surface-faces-there-twice",
+      [](Stage& s)
+      {
+        s.daylight();
+        s.hasTies = true;
+        Shape sheet = hills(12);
+        const Shape other = turned(sheet);
+        sheet.cells.insert(sheet.cells.end(), other.cells.begin(), other.cells.end());
+        s.add(sheet).floats();
+      } },
+    { "surface-faces-this-way-and-that",
+      [](Stage& s)
+      {
+        s.daylight();
+        Shape mixed = hills(12);
+        const Shape other = turned(mixed);
+        for (std::size_t k = 0; k < mixed.cells.size(); k += 3)
+        {
+          mixed.cells[k] = other.cells[k];
+        }
+        s.add(mixed);
+      } },
+    { "surface-mirrored",
+      [](Stage& s)
+      {
+        s.daylight();
+        s.add(scaled(ball(3), Vec3(-0.9, 0.7, 0.8))).round();
+        Body& body =
+          s.add(moved(scaled(ball(1), Vec3(0.4, -0.4, 0.4)), Vec3(0.0, 1.0, 0.5))).flat();
+        for (const auto& cell : body.shape.cells)
+        {
+          body.cellNormals.push_back(body.shape.points[cell[0]] - Vec3(0.0, 1.0, 0.5));
+        }
+      } },
     { "surface-fronts-culled",
       [](Stage& s)
       {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Drawing by the VTK filters.
+#include "BodySurface.h"
 #include "Drawing.h"
 #include "StageToVTK.h"
 
@@ -23,10 +24,18 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
 {
   for (Body& body : bodies)
   {
-    if (body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty() &&
-      (shuffle || body.weighting != lambent::Weighting::Angle))
+    if (body.material.shading != lambent::Shading::Smooth || !body.pointNormals.empty())
+    {
+      continue;
+    }
+    if (body.weighting != lambent::Weighting::Angle)
     {
       body.pointNormals = computeNormals(body);
+    }
+    else if (shuffle)
+    {
+      const lambent::Parallel serial;
+      body = BodySurface(body, serial).withOwnCorners(body, serial);
     }
   }
   return shuffle ? shuffled(bodies, shuffle) : bodies;
