@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
 namespace lambent::command
 {
@@ -67,17 +68,27 @@ void StlTextParser::Require(std::string_view keyword)
   }
 }
 
-/// Up to the words "outer loop"; the keyword, three numbers, and a few words for bad ones.
+bool IsKeyword(std::string_view word)
+{
+  const std::string_view keywords[] = { "facet", "loop", "vertex", "endloop", "endfacet",
+    "endsolid" };
+  return std::any_of(std::begin(keywords), std::end(keywords),
+    [word](std::string_view keyword) { return IsWord(word, keyword); });
+}
+
+/// Behind the words "outer loop".
 void StlTextParser::SkipNormal()
 {
-  constexpr int mostWords = 8;
-  for (int i = 0; i < mostWords && !this->Take("outer"); ++i)
+  constexpr int mostWords = 8; // the keyword, three numbers, and some more for bad ones
+  for (int i = 0; !this->Take("outer"); ++i)
   {
-    if (this->Cursor.IsAtEnd() || i == mostWords - 1)
+    const char* const begin = this->Cursor.Position();
+    const std::string_view word = this->Cursor.TakeWord();
+    if (word.empty() || IsKeyword(word) || i == mostWords)
     {
+      this->Cursor.MoveTo(begin);
       throw this->NotDue("'outer loop'");
     }
-    this->Cursor.TakeWord();
     this->Cursor.SkipSpace();
   }
   this->Require("loop");

@@ -10,10 +10,11 @@
 namespace lambent::command
 {
 
-TextCursor::TextCursor(std::string_view text)
+TextCursor::TextCursor(std::string_view text, std::size_t lineNumber)
   : Begin(text.data())
   , At(text.data())
   , End(text.data() + text.size())
+  , LineNumber(lineNumber)
 {
   constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
   if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
@@ -86,7 +87,8 @@ void TextCursor::NextLine()
 const char* TextCursor::WordEnd() const
 {
   const char* behind = this->At;
-  while (behind != this->End && !IsBlank(*behind) && !IsLineEnd(*behind))
+  while (behind != this->End && !IsBlank(*behind) && !IsLineEnd(*behind) &&
+    !(behind[0] == '\\' && IsLineEnd(behind[1])))
   {
     ++behind;
   }

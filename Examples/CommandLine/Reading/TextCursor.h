@@ -26,7 +26,8 @@ class TextCursor
 {
 public:
   /// The text must be followed by a zero byte. A byte order mark of UTF-8 is passed over.
-  explicit TextCursor(std::string_view text);
+  /// The number is that of the first line.
+  explicit TextCursor(std::string_view text, std::size_t lineNumber = 1);
 
   bool IsAtEnd() const { return this->At == this->End; }
   /// How much of the text is behind, from 0 to 1.
@@ -68,7 +69,7 @@ private:
   const char* Begin;
   const char* At;
   const char* End;
-  std::size_t LineNumber = 1;
+  std::size_t LineNumber;
 };
 
 inline void TextCursor::SkipBlanks()
