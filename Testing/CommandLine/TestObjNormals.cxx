@@ -5,6 +5,7 @@
 
 #include "ReadFrom.h"
 #include "ReadObj.h"
+#include "SplitPoints.h"
 
 #include <cmath>
 
@@ -133,6 +134,15 @@ TEST(ObjNormals, AGroupMayComeTwice)
   EXPECT_EQ(NormalsOf(outcome), (Rows{ Between, Between, Z, Z, MinusY, MinusY, Z, Z, Z, Z }));
 }
 
+TEST(ObjNormals, FacesBeforeTheFirstGroupAreFlat)
+{
+  // Both sides of the roof behind a face that folds away from the top.
+  const Outcome outcome = Read(Roof + "v 0 1 -1\nv 1 1 -1\nf 3 4 8 7\ns 1\n" + Top + Front);
+  EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 2, 3, 7, 6 }, { 0, 1, 8, 9 }, { 1, 0, 4, 5 } }));
+  const std::vector<double> y = { 0, 1, 0 };
+  EXPECT_EQ(NormalsOf(outcome), (Rows{ Between, Between, y, y, MinusY, MinusY, y, y, Z, Z }));
+}
+
 TEST(ObjNormals, GroupsBehindAllFacesMeanNothing)
 {
   EXPECT_EQ(NormalsOf(Read(Roof + Top + Front + "s 1\n")), Rows());
@@ -195,6 +205,37 @@ TEST(ObjTexture, ColoursGoWithThePoints)
   EXPECT_EQ(colors[5], (std::vector<double>{ 50, 0, 255 }));
   EXPECT_EQ(colors[6], (std::vector<double>{ 10, 0, 255 }));
   EXPECT_EQ(colors[7], (std::vector<double>{ 0, 0, 255 }));
+}
+
+// So many that hashes of different points with the same key are equal.
+TEST(SplitPoints, KeysOfManyPoints)
+{
+  constexpr std::int32_t count = 300000;
+  std::vector<std::int32_t> corners;
+  std::vector<std::int32_t> keys;
+  for (const std::int32_t key : { 0, 1, 1, 0, NoKey })
+  {
+    for (std::int32_t point = 0; point < count; ++point)
+    {
+      corners.push_back(point);
+      keys.push_back(key);
+    }
+  }
+  const SplitPoints split(corners, keys, count);
+  ASSERT_EQ(split.copies.size(), static_cast<std::size_t>(count));
+  ASSERT_EQ(split.keyOfPoint.size(), static_cast<std::size_t>(2 * count));
+  for (std::int32_t point = 0; point < count; ++point)
+  {
+    const std::size_t at = static_cast<std::size_t>(point);
+    ASSERT_EQ(split.copies[at], point);
+    ASSERT_EQ(split.keyOfPoint[at], 0);
+    ASSERT_EQ(split.keyOfPoint[at + count], 1);
+    const std::int32_t expected[] = { point, count + point, count + point, point, point };
+    for (std::size_t k = 0; k < 5; ++k)
+    {
+      ASSERT_EQ(corners[at + k * count], expected[k]) << k;
+    }
+  }
 }
 
 // Each corner has a normal of its own at the same point: all of them must be told apart in time.

@@ -156,6 +156,9 @@ TEST(ReadObj, ColoursOfPoints)
     (Rows{ { 255, 255, 255 }, { 255, 128, 0 }, { 255, 255, 255 }, { 0, 0, 51 } }));
   EXPECT_EQ(
     colors("v 0 0 0 255 128 0\nv 1 0 0 1 300 -5\n"), (Rows{ { 255, 128, 0 }, { 1, 255, 0 } }));
+  EXPECT_EQ(
+    colors("v 0 0 0 1 0.5 1.5\nv 1 0 0 0 0 3\n"), (Rows{ { 255, 128, 255 }, { 0, 0, 255 } }));
+  EXPECT_EQ(colors("v 0 0 0 1 0 1\n"), (Rows{ { 255, 0, 255 } }));
   EXPECT_EQ(colors("v 0 0 0 1\nv 1 0 0\n"), Rows());
   const Outcome outcome = Read("v 0 0 0 1 1 1\n");
   EXPECT_EQ(outcome.mesh->GetPointData()->GetScalars()->GetDataType(), VTK_UNSIGNED_CHAR);

@@ -105,16 +105,14 @@ void PlyCursor::EndItem()
     return;
   }
   this->Text.SkipBlanks();
-  while (!this->Text.IsAtLineEnd())
+  while (!this->Text.TakeWord().empty())
   {
     if (this->LeftOver++ == 0)
     {
       this->FirstLineWithMore = this->Text.Line();
     }
-    this->Text.TakeWord();
     this->Text.SkipBlanks();
   }
-  this->Text.NextLine();
 }
 
 std::size_t PlyCursor::BytesBehind()

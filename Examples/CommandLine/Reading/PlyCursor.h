@@ -34,7 +34,7 @@ public:
   /// throws Failure if the text has something else there.
   bool Next(PlyType type, double& value);
 
-  /// An item of an element has all its values: goes to the next line if it is text.
+  /// An item of an element has all its values: goes to the end of the line if it is text.
   void EndItem();
 
   /// How many numbers have been passed over, and the first line in which there were any.

@@ -137,9 +137,12 @@ vtkSmartPointer<vtkFloatArray> TextureOfPoints(const ObjContent& obj, const Ids&
   return MakeArray<vtkFloatArray>(values, 2);
 }
 
+/// Colours go from 0 to 1, where a few may be brighter; or they are bytes, none of them a fraction.
 vtkSmartPointer<vtkUnsignedCharArray> Bytes(const std::vector<float>& colors)
 {
-  const bool areBytes = *std::max_element(colors.begin(), colors.end()) > 1;
+  const bool areBytes = *std::max_element(colors.begin(), colors.end()) > 1 &&
+    std::all_of(
+      colors.begin(), colors.end(), [](float color) { return color == std::floor(color); });
   std::vector<unsigned char> bytes(colors.size());
   std::transform(colors.begin(), colors.end(), bytes.begin(),
     [scale = areBytes ? 1.0 : 255.0](float color)

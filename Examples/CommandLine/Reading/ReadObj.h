@@ -6,14 +6,15 @@
  *
  * vtkOBJReader is not used: it reads beyond its arrays where an index names
  * nothing, it leaves out faces whose corners are written in different forms, it
- * narrows coordinates to float, and it takes five times as long.
+ * narrows coordinates to float, and it takes several times as long.
  *
  * What the lines of the file become:
  *
  * - `v x y z` are the points, in double. Ids and order are those of the file. A
  *   fourth number is a weight and means nothing here. With `v x y z r g b` the mesh
- *   has the unsigned char point data "RGB": from 0 ... 1, or from 0 ... 255 if any
- *   colour in the file is above 1. Points without a colour are white.
+ *   has the unsigned char point data "RGB": from 0 ... 1, or from 0 ... 255 if all
+ *   colours in the file are integers and one is above 1. Points without a colour
+ *   are white.
  * - `f` are the polygons. Those of one or two points are left out, and one warning
  *   counts them. `l` and `p` become lines and vertices.
  * - `vn`: if any corner of a face names one, the mesh has the point data "Normals".
