@@ -3,6 +3,7 @@
 // Which points an OBJ file becomes where corners name normals, smoothing groups or texture
 // coordinates.
 
+#include "OppositeFaces.h"
 #include "ReadFrom.h"
 #include "ReadObj.h"
 #include "SplitPoints.h"
@@ -57,6 +58,13 @@ TEST(ObjNormals, NoneWithoutNormalsAndGroups)
   ExpectPoints(outcome, {});
   EXPECT_EQ(NormalsOf(outcome), Rows());
   EXPECT_EQ(outcome.mesh->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+TEST(ObjNormals, NoneWhereAllHaveNoLength)
+{
+  const Outcome outcome = Read(Roof + "vn 0 0 0\nvn 0 -0 0\nf 1//1 2//2 4//1 3//1\n" + Front);
+  ExpectPoints(outcome, {});
+  EXPECT_EQ(NormalsOf(outcome), Rows());
 }
 
 TEST(ObjNormals, EqualIndicesShareAPoint)
@@ -116,7 +124,7 @@ TEST(ObjNormals, OneGroupIsSmooth)
 TEST(ObjNormals, DifferentGroupsAreSharp)
 {
   const Rows normals = { Z, Z, Z, Z, MinusY, MinusY, MinusY, MinusY };
-  for (const std::string text : { "s 1\n" + Top + "s 2\n" + Front,
+  for (const std::string& text : { "s 1\n" + Top + "s 2\n" + Front,
          "s 1\n" + Top + "s off\n" + Front, "s 2\n" + Top + "s 0\n" + Front,
          "s off\n" + Top + Front, "s\n" + Top + Front, Top + "s 1\n" + Front })
   {
@@ -125,6 +133,42 @@ TEST(ObjNormals, DifferentGroupsAreSharp)
     EXPECT_EQ(NormalsOf(outcome), normals) << text;
     EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 3, 2 }, { 6, 7, 4, 5 } })) << text;
   }
+}
+
+// A sheet that is there twice, once each way round: the normals of its sides must not cancel.
+TEST(ObjNormals, SidesOfASheetAreApart)
+{
+  const std::vector<double> back = { 0, Half, -Half };
+  const std::vector<double> minusZ = { 0, 0, -1 };
+  const std::vector<double> y = { 0, 1, 0 };
+  const Outcome sheetBySheet = Read(Roof + "s 1\n" + Top + Front + "f 2 1 3 4\nf 5 1 2 6\n");
+  ExpectPoints(sheetBySheet, { 1, 0, 2, 3, 4, 5 });
+  EXPECT_EQ(NormalsOf(sheetBySheet),
+    (Rows{ Between, Between, Z, Z, MinusY, MinusY, back, back, minusZ, minusZ, y, y }));
+
+  const Outcome faceByFace =
+    Read(Roof + "s 1\n" + Top + "f 3 4 2 1\n" + Front + "f 6 5 1 2\n" + Top);
+  ExpectPoints(faceByFace, { 2, 3, 1, 0, 5, 4 });
+  EXPECT_EQ(PolygonsOf(faceByFace),
+    (Cells{ { 0, 1, 3, 2 }, { 6, 7, 8, 9 }, { 1, 0, 4, 5 }, { 10, 11, 9, 8 }, { 0, 1, 3, 2 } }));
+  const Rows normals = NormalsOf(faceByFace);
+  EXPECT_EQ(Rows(normals.begin() + 2, normals.end()),
+    (Rows{ Z, Z, MinusY, MinusY, minusZ, minusZ, back, back, y, y }));
+}
+
+TEST(OppositeFaces, RingsOfAllKinds)
+{
+  CellLists faces;
+  for (const std::vector<std::int32_t>& face : { std::vector<std::int32_t>{ 0, 1, 2 }, { 1, 2, 0 },
+         { 2, 1, 0 }, { 0, 2, 1 }, { 5, 3, 4, 9 }, { 9, 4, 3, 5 }, { 3, 4, 9, 5 }, { 3, 9, 4, 5 },
+         { 5, 4, 9, 3 }, { 7, 7, 7 }, { 7, 7, 7 }, { 0, 1, 2, 3 } })
+  {
+    faces.points.insert(faces.points.end(), face.begin(), face.end());
+    faces.EndCell();
+  }
+  EXPECT_EQ(FindOppositeFaces(faces),
+    (std::vector<bool>{
+      false, false, true, true, false, true, false, false, true, false, false, false }));
 }
 
 TEST(ObjNormals, AGroupMayComeTwice)

@@ -5,6 +5,7 @@
 #include "CellLists.h"
 #include "FileBytes.h"
 #include "Messages.h"
+#include "OppositeFaces.h"
 #include "ParseObj.h"
 #include "SplitPoints.h"
 
@@ -59,34 +60,51 @@ void AppendCopies(std::vector<Value>& values, std::size_t components, const Ids&
   }
 }
 
-bool IsZero(const float* normal)
+/// A normal of length zero is as good as none. None is left if all are such.
+void DropZeroNormals(ObjContent& obj)
 {
-  return normal[0] == 0 && normal[1] == 0 && normal[2] == 0;
+  bool hasAny = false;
+  for (std::int32_t& id : obj.normalOfCorner)
+  {
+    const float* const normal =
+      id == NoKey ? nullptr : &obj.normals[3 * static_cast<std::size_t>(id)];
+    const bool isUsable = normal && (normal[0] != 0 || normal[1] != 0 || normal[2] != 0);
+    id = isUsable ? id : NoKey;
+    hasAny = hasAny || isUsable;
+  }
+  if (!hasAny)
+  {
+    obj.normalOfCorner.clear();
+  }
 }
 
-/// Two corners at a point have the same normal if their keys are equal: the index of the file's
-/// normal; behind those, the smoothing group; or a negative number, of the face alone.
+/// Corners at a point have the same normal if their keys are equal. A key is the id of the file's
+/// normal; or, behind those, a smoothing group; or, behind those, the other side of a group, where
+/// faces are there twice; or a negative number, of the face alone.
 Ids NormalKeys(const ObjContent& obj)
 {
   const std::size_t normals = obj.normals.size() / 3;
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() - 1;
-  if (normals + static_cast<std::size_t>(obj.numberOfGroups) > most || obj.faces.size() > most)
+  if (normals + 2 * static_cast<std::size_t>(obj.numberOfGroups) > most || obj.faces.size() > most)
   {
     throw Failure("it has too many faces, normals and smoothing groups; divide it");
   }
+  const std::vector<bool> isOpposite =
+    obj.numberOfGroups == 0 ? std::vector<bool>() : FindOppositeFaces(obj.faces);
   Ids keys(obj.faces.points.size());
   for (std::size_t face = 0; face < obj.faces.size(); ++face)
   {
-    const std::int32_t group = obj.groupOfFace.empty() ? 0 : obj.groupOfFace[face];
-    const std::int32_t ownKey =
-      group > 0 ? static_cast<std::int32_t>(normals) + group : -1 - static_cast<std::int32_t>(face);
+    std::int32_t ownKey = -1 - static_cast<std::int32_t>(face);
+    if (!obj.groupOfFace.empty() && obj.groupOfFace[face] > 0)
+    {
+      ownKey = static_cast<std::int32_t>(normals) + obj.groupOfFace[face] +
+        (isOpposite[face] ? obj.numberOfGroups : 0);
+    }
     const std::size_t end = static_cast<std::size_t>(obj.faces.offsets[face + 1]);
     for (std::size_t c = static_cast<std::size_t>(obj.faces.offsets[face]); c < end; ++c)
     {
       const std::int32_t normal = obj.normalOfCorner.empty() ? NoKey : obj.normalOfCorner[c];
-      const bool isGiven =
-        normal != NoKey && !IsZero(&obj.normals[3 * static_cast<std::size_t>(normal)]);
-      keys[c] = isGiven ? normal : ownKey;
+      keys[c] = normal != NoKey ? normal : ownKey;
     }
   }
   return keys;
@@ -183,6 +201,7 @@ vtkSmartPointer<vtkPolyData> ReadObj(
     AppendCopies(obj.colors, 3, split.copies);
   };
 
+  DropZeroNormals(obj);
   std::vector<float> normals;
   if (!obj.normalOfCorner.empty() || !obj.groupOfFace.empty())
   {

@@ -17,16 +17,17 @@
  *   are white.
  * - `f` are the polygons. Those of one or two points are left out, and one warning
  *   counts them. `l` and `p` become lines and vertices.
- * - `vn`: if any corner of a face names one, the mesh has the point data "Normals".
- *   Corners that name different normals get points of their own, which are copies
- *   behind the points of the file. At a corner that names no normal, or one of
- *   length zero, the normal comes from the smoothing groups below, or else is that
+ * - `vn`: if any corner of a face names one that is not of length zero, the mesh
+ *   has the point data "Normals". Corners that name different normals get points of
+ *   their own, which are copies behind the points of the file. At a corner that
+ *   names none, the normal comes from the smoothing groups below, or else is that
  *   of the face.
  * - `s`: if no corner names a normal but a line `s` precedes a face, the mesh has
  *   "Normals", too. Faces of one group are smooth across their common points,
- *   whatever the angle between them; different groups are not. Faces for which it
- *   is off, and those before the first `s`, are flat. The normals are those of
- *   vtkLambentNormals.
+ *   whatever the angle between them, except for a face with the same points as one
+ *   before it, the other way round: such faces are smooth among themselves.
+ *   Different groups are not smooth across. Faces for which it is off, and those
+ *   before the first `s`, are flat. The normals are those of vtkLambentNormals.
  * - Without `vn` and `s` the mesh has no normals, and no point is copied. Whoever
  *   draws computes them.
  * - `vt`: the point data "TCoords" (u and v) if any corner names one. Corners that
