@@ -20,18 +20,19 @@ public:
     : Points(faces.points.data() + faces.offsets[face])
     , Size(static_cast<std::size_t>(faces.offsets[face + 1] - faces.offsets[face]))
   {
-    this->First = static_cast<std::size_t>(std::min_element(Points, Points + Size) - this->Points);
+    this->First = static_cast<std::size_t>(
+      std::min_element(this->Points, this->Points + this->Size) - this->Points);
     const std::int32_t next = this->Points[(this->First + 1) % this->Size];
     const std::int32_t previous = this->Points[(this->First + this->Size - 1) % this->Size];
-    this->IsReversed = previous < next;
+    this->Reversed = previous < next;
   }
 
-  bool isReversed() const { return this->IsReversed; }
+  bool IsReversed() const { return this->Reversed; }
 
   std::int32_t operator[](std::size_t k) const
   {
     return this
-      ->Points[(this->IsReversed ? this->First + this->Size - k : this->First + k) % this->Size];
+      ->Points[(this->Reversed ? this->First + this->Size - k : this->First + k) % this->Size];
   }
 
   bool operator==(const Ring& other) const
@@ -44,7 +45,7 @@ public:
     return isSame;
   }
 
-  std::uint64_t hash() const
+  std::uint64_t Hash() const
   {
     std::uint64_t bits = this->Size;
     for (std::size_t k = 0; k < this->Size; ++k)
@@ -58,7 +59,7 @@ private:
   const std::int32_t* Points;
   std::size_t Size;
   std::size_t First;
-  bool IsReversed;
+  bool Reversed;
 };
 
 } // namespace
@@ -70,10 +71,10 @@ std::vector<bool> FindOppositeFaces(const CellLists& faces)
   for (std::size_t face = 0; face < faces.size(); ++face)
   {
     const Ring ring(faces, face);
-    const std::int32_t first = table.FindOrAdd(ring.hash(), static_cast<std::int32_t>(face),
+    const std::int32_t first = table.FindOrAdd(ring.Hash(), static_cast<std::int32_t>(face),
       [&](std::int32_t other) { return Ring(faces, static_cast<std::size_t>(other)) == ring; });
     isOpposite[face] =
-      Ring(faces, static_cast<std::size_t>(first)).isReversed() != ring.isReversed();
+      Ring(faces, static_cast<std::size_t>(first)).IsReversed() != ring.IsReversed();
   }
   return isOpposite;
 }

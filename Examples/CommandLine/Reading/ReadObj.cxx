@@ -123,6 +123,10 @@ std::vector<float> PointNormals(const ObjContent& obj, const Ids& keyOfPoint)
     filter->SetInputData(MakeMesh(obj));
     filter->Update();
     computed = vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetNormals());
+    if (!computed) // too little memory; the filter says so, too
+    {
+      throw Failure("cannot compute the normals of its smoothing groups");
+    }
   }
   std::vector<float> normals(3 * keyOfPoint.size(), 0.0f); // points without a face keep that
   for (std::size_t point = 0; point < keyOfPoint.size(); ++point)
@@ -166,6 +170,28 @@ vtkSmartPointer<vtkUnsignedCharArray> Bytes(const std::vector<float>& colors)
     [scale = areBytes ? 1.0 : 255.0](float color)
     { return static_cast<unsigned char>(std::clamp(scale * color, 0.0, 255.0) + 0.5); });
   return MakeArray<vtkUnsignedCharArray>(bytes, 3);
+}
+
+void SetPointData(vtkPolyData* mesh, const std::vector<float>& normals, vtkFloatArray* texture,
+  const std::vector<float>& colors)
+{
+  if (!normals.empty())
+  {
+    const auto array = MakeArray<vtkFloatArray>(normals, 3);
+    array->SetName("Normals");
+    mesh->GetPointData()->SetNormals(array);
+  }
+  if (texture)
+  {
+    texture->SetName("TCoords");
+    mesh->GetPointData()->SetTCoords(texture);
+  }
+  if (!colors.empty())
+  {
+    const auto array = Bytes(colors);
+    array->SetName("RGB");
+    mesh->GetPointData()->SetScalars(array);
+  }
 }
 
 void Warn(const ObjContent& obj)
@@ -226,23 +252,7 @@ vtkSmartPointer<vtkPolyData> ReadObj(
   const auto mesh = MakeMesh(obj);
   mesh->SetLines(MakeCellArray(obj.lines));
   mesh->SetVerts(MakeCellArray(obj.vertices));
-  if (!normals.empty())
-  {
-    const auto array = MakeArray<vtkFloatArray>(normals, 3);
-    array->SetName("Normals");
-    mesh->GetPointData()->SetNormals(array);
-  }
-  if (texture)
-  {
-    texture->SetName("TCoords");
-    mesh->GetPointData()->SetTCoords(texture);
-  }
-  if (!obj.colors.empty())
-  {
-    const auto array = Bytes(obj.colors);
-    array->SetName("RGB");
-    mesh->GetPointData()->SetScalars(array);
-  }
+  SetPointData(mesh, normals, texture, obj.colors);
   return mesh;
 }
 
