@@ -163,7 +163,7 @@ TEST(ReadPly, TriangleStripsThatAreNone)
 {
   const Outcome outcome = ReadFrom(ReadPly, WithStrips("int int", "7 0 -1 0 1 2 -1 3"));
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: 2 of its triangle strips with fewer than 3 points are left out\n");
+    "lambent: warning: triangle strips of fewer than 3 points are left out; it has 2 of them\n");
   EXPECT_EQ(CellsOf(outcome.mesh->GetStrips()), (Cells{ { 0, 1, 2 } }));
   EXPECT_EQ(ReadFrom(ReadPly, WithStrips("int int", "4 0 1 2 -2")).failure,
     "triangle strip 0 names a vertex that does not exist");
@@ -179,8 +179,8 @@ TEST(ReadPly, NumbersLeftOverOnALine)
   text.replace(text.find("3 0 1 2\n"), 8, "3 0 1 2 9\n");
   const Outcome outcome = ReadFrom(ReadPly, text);
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: 3 numbers left over at the ends of lines are ignored, the first in line 11; "
-    "an element has a line of its own\n");
+    "lambent: warning: numbers left over on a line are ignored, since an element has a line of its "
+    "own; it has 3 of them, the first in line 11\n");
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
   EXPECT_EQ(PointsOf(outcome), PointsOf(ReadFrom(ReadPly, Text)));
 }
@@ -199,7 +199,7 @@ TEST(ReadPly, DataLeftOverAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
-    "lambent: warning: 6 bytes behind the last element that its header names are ignored\n");
+    "lambent: warning: what follows the last element of its header is ignored: 6 bytes\n");
   EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
   const std::string binary =
@@ -207,7 +207,7 @@ TEST(ReadPly, DataLeftOverAtTheEnd)
     "property char y\nproperty char z\nend_header\nabc";
   EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
-    "lambent: warning: 2 bytes behind the last element that its header names are ignored\n");
+    "lambent: warning: what follows the last element of its header is ignored: 2 bytes\n");
 }
 
 TEST(ReadPly, EmptyFacesKeepTheirIds)

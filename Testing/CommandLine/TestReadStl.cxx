@@ -199,11 +199,14 @@ TEST(ReadStl, BinaryCutBehindEachByte)
 TEST(ReadStl, BinaryWithAWrongCount)
 {
   ExpectSquare(Binary("", 0),
-    "lambent: warning: its header counts 0 triangles, but there are 2; all of them are read\n");
+    "lambent: warning: the number of triangles in its header is 0, but there are 2; all of them "
+    "are read\n");
   ExpectSquare(Binary("solid", 1),
-    "lambent: warning: its header counts 1 triangles, but there are 2; all of them are read\n");
+    "lambent: warning: the number of triangles in its header is 1, but there are 2; all of them "
+    "are read\n");
   EXPECT_NE(Read(Binary("", 0xffffffff)).failure.find("4294967295 triangles"), std::string::npos);
-  ExpectSquare(Binary() + "bye", "lambent: warning: 3 bytes behind its 2 triangles are ignored\n");
+  ExpectSquare(
+    Binary() + "bye", "lambent: warning: what follows its last triangle is ignored: 3 bytes\n");
 }
 
 TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)

@@ -137,18 +137,18 @@ class TestReadingKinds(CommandTest):
 
     def test_what_is_left_out_is_counted(self):
         lines = self.warnings("few.obj", CORNERS + "f 1 2\nf 1 2 3\nf 3\n")
-        self.assertEqual(lines, ["lambent: warning: 'few.obj': 2 of its faces (f) with fewer than 3 "
-                                 "points, or lines (l) with fewer than 2, are left out"])
+        self.assertEqual(lines, ["lambent: warning: 'few.obj': faces (f) of fewer than 3 points and "
+                                 "lines (l) of fewer than 2 are left out; it has 2 of them"])
         faces = PLY_CORNERS % (PLY_FACES % 2)
         lines = self.warnings("more.ply", faces + "3 0 1 2 255 0 0\n3 1 3 2 255 0 0\n")
-        self.assertEqual(lines, ["lambent: warning: 'more.ply': 6 numbers left over at the ends of "
-                                 "lines are ignored, the first in line 14; an element has a line of "
-                                 "its own"])
+        self.assertEqual(lines, ["lambent: warning: 'more.ply': numbers left over on a line are "
+                                 "ignored, since an element has a line of its own; it has 6 of them, "
+                                 "the first in line 14"])
         self.assertEqual(self.read("picture.pnm"), self.picture(
             "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
         lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
-        self.assertEqual(lines, ["lambent: warning: 'rest.ply': 8 bytes behind the last element "
-                                 "that its header names are ignored"])
+        self.assertEqual(lines, ["lambent: warning: 'rest.ply': what follows the last element of "
+                                 "its header is ignored: 8 bytes"])
 
     def test_a_mere_missing_line_end_is_no_warning(self):
         for name, content in (("end.obj", make.obj(SQUARE)), ("end.ply", make.ply_text(SQUARE)),
@@ -159,13 +159,15 @@ class TestReadingKinds(CommandTest):
         last = ", and no polygons; Lambent draws only polygons so far"
         for name, content, holds in (
                 ("points.obj", CORNERS, "4 points"),
-                ("lines.obj", CORNERS + "l 1 2\nl 1 3 4\nl 2 4\n", "4 points, 3 lines"),
-                ("line.obj", CORNERS + "l 1 2\np 1 2\n", "4 points, 1 line"),
+                ("lines.obj", CORNERS + "l 1 2\nl 1 3 4\nl 2 4\n", "4 points and 3 lines"),
+                ("line.obj", CORNERS + "l 1 2\np 1 2\n", "4 points and 1 line"),
                 ("point.ply", make.ply_text(([(0, 0, 0)], [])), "1 point"),
                 ("thin.ply", make.ply_text((SQUARE[0], [(0, 1), ()])),
-                 "4 points, 2 cells of fewer than 3 points"),
+                 "4 points and 2 cells of fewer than 3 points"),
+                ("both.vtk", make.vtk_text((SQUARE[0], [(0, 1)])) + "LINES 1 3\n2 0 2\n",
+                 "4 points, 1 line and 1 cell of fewer than 3 points"),
                 ("lines.vtk", make.vtk_text((SQUARE[0], [(0, 1), (2, 3)])).replace(
-                    "POLYGONS", "LINES"), "4 points, 2 lines")):
+                    "POLYGONS", "LINES"), "4 points and 2 lines")):
             lines = self.warnings(name, content, "--background", "1,0,0")
             self.assertEqual(lines[:1],
                              ["lambent: warning: '%s': it holds %s" % (name, holds) + last])

@@ -9,16 +9,21 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace lambent::command
 {
 namespace
 {
 
-/// ", 1 line" or ", 3 lines"; nothing for none.
-std::string Counted(vtkIdType count, const std::string& noun)
+/// Appends "1 line" or "3 lines" to the list; nothing for none.
+void List(
+  std::vector<std::string>& list, vtkIdType count, const std::string& noun, const char* what = "")
 {
-  return count == 0 ? "" : ", " + std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  if (count > 0)
+  {
+    list.push_back(std::to_string(count) + " " + noun + (count == 1 ? "" : "s") + what);
+  }
 }
 
 } // namespace
@@ -42,10 +47,16 @@ void CheckPolygons(vtkPolyData* mesh)
   {
     return;
   }
-  const vtkIdType degenerate = mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips();
-  const std::string what = Counted(mesh->GetNumberOfPoints(), "point").substr(2) +
-    Counted(mesh->GetNumberOfLines(), "line") + Counted(degenerate, "cell") +
-    (degenerate > 0 ? " of fewer than 3 points" : "");
+  std::vector<std::string> list;
+  List(list, mesh->GetNumberOfPoints(), "point");
+  List(list, mesh->GetNumberOfLines(), "line");
+  List(
+    list, mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips(), "cell", " of fewer than 3 points");
+  std::string what = list.front(); // there are points; without, there is no mesh
+  for (std::size_t i = 1; i < list.size(); ++i)
+  {
+    what += (i + 1 < list.size() ? ", " : " and ") + list[i];
+  }
   vtkGenericWarningMacro(<< "it holds " << what
                          << ", and no polygons; Lambent draws only polygons so far");
 }

@@ -138,8 +138,8 @@ void ReadPlyStrips(PlyCursor& cursor, const PlyElement& element,
   Walk(cursor, element, progress, sink);
   if (sink.tooShort > 0)
   {
-    vtkGenericWarningMacro(<< sink.tooShort
-                           << " of its triangle strips with fewer than 3 points are left out");
+    vtkGenericWarningMacro(<< "triangle strips of fewer than 3 points are left out; it has "
+                           << sink.tooShort << " of them");
   }
   mesh->SetStrips(MakeCellArray(sink.strips));
 }

@@ -198,14 +198,14 @@ void Warn(const ObjContent& obj)
 {
   if (obj.cellsOfTooFewPoints > 0)
   {
-    vtkGenericWarningMacro(<< obj.cellsOfTooFewPoints
-                           << " of its faces (f) with fewer than 3 points, or lines (l) with "
-                           << "fewer than 2, are left out");
+    vtkGenericWarningMacro(
+      << "faces (f) of fewer than 3 points and lines (l) of fewer than 2 are left "
+      << "out; it has " << obj.cellsOfTooFewPoints << " of them");
   }
   if (obj.freeFormSurfaces > 0)
   {
-    vtkGenericWarningMacro(<< obj.freeFormSurfaces << " of its free-form surfaces (surf) are left "
-                           << "out; Lambent draws only polygons so far");
+    vtkGenericWarningMacro(<< "free-form surfaces (surf) are left out; it has "
+                           << obj.freeFormSurfaces << " of them");
   }
 }
 

@@ -35,15 +35,16 @@ void WarnOfRest(PlyCursor& cursor)
 {
   if (cursor.GetLeftOver() > 0)
   {
-    vtkGenericWarningMacro(<< cursor.GetLeftOver() << " numbers left over at the ends of lines are "
-                           << "ignored, the first in line " << cursor.GetFirstLineWithMore()
-                           << "; an element has a line of its own");
+    vtkGenericWarningMacro(
+      << "numbers left over on a line are ignored, since an element has a line "
+      << "of its own; it has " << cursor.GetLeftOver() << " of them, the first in line "
+      << cursor.GetFirstLineWithMore());
   }
   const std::size_t bytes = cursor.BytesBehind();
   if (bytes > 0)
   {
-    vtkGenericWarningMacro(<< bytes
-                           << " bytes behind the last element that its header names are ignored");
+    vtkGenericWarningMacro(<< "what follows the last element of its header is ignored: " << bytes
+                           << (bytes == 1 ? " byte" : " bytes"));
   }
 }
 

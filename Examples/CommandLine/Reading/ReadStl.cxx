@@ -79,15 +79,15 @@ std::size_t CheckedCount(std::string_view file)
   const std::size_t leftOver = file.size() - HeaderSize - TriangleSize * count;
   if (leftOver % TriangleSize != 0)
   {
-    vtkGenericWarningMacro(<< leftOver << " bytes behind its " << count
-                           << " triangles are ignored");
+    vtkGenericWarningMacro(<< "what follows its last triangle is ignored: " << leftOver
+                           << (leftOver == 1 ? " byte" : " bytes"));
     return count;
   }
   const std::size_t all = count + leftOver / TriangleSize;
   if (leftOver > 0)
   {
-    vtkGenericWarningMacro(<< "its header counts " << count << " triangles, but there are " << all
-                           << "; all of them are read");
+    vtkGenericWarningMacro(<< "the number of triangles in its header is " << count
+                           << ", but there are " << all << "; all of them are read");
   }
   return all;
 }
