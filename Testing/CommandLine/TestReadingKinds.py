@@ -164,6 +164,9 @@ class TestReadingKinds(CommandTest):
                 ("point.ply", make.ply_text(([(0, 0, 0)], [])), "1 point"),
                 ("thin.ply", make.ply_text((SQUARE[0], [(0, 1), ()])),
                  "4 points and 2 cells of fewer than 3 points"),
+                ("grid.vtk", make.vtk_grid(SQUARE[0], [], 3), "4 points"),
+                ("lines.vtu", make.vtu(SQUARE[0], [(0, 1), (2, 3)], 3), "4 points and 2 lines"),
+                ("grid.vtu", make.vtu(SQUARE[0], [], 3), "4 points"),
                 ("both.vtk", make.vtk_text((SQUARE[0], [(0, 1)])) + "LINES 1 3\n2 0 2\n",
                  "4 points, 1 line and 1 cell of fewer than 3 points"),
                 ("lines.vtk", make.vtk_text((SQUARE[0], [(0, 1), (2, 3)])).replace(

@@ -41,18 +41,18 @@ vtkIdType CountTriangles(vtkPolyData* mesh)
   return count;
 }
 
-void CheckPolygons(vtkPolyData* mesh)
+void CheckPolygons(vtkPolyData* mesh, vtkDataObject* data)
 {
   if (CountTriangles(mesh) > 0)
   {
     return;
   }
   std::vector<std::string> list;
-  List(list, mesh->GetNumberOfPoints(), "point");
+  List(list, data->GetNumberOfElements(vtkDataObject::POINT), "point");
   List(list, mesh->GetNumberOfLines(), "line");
   List(
     list, mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips(), "cell", " of fewer than 3 points");
-  std::string what = list.front(); // there are points; without, there is no mesh
+  std::string what = list.empty() ? "no points" : list.front();
   for (std::size_t i = 1; i < list.size(); ++i)
   {
     what += (i + 1 < list.size() ? ", " : " and ") + list[i];

@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
     CheckFile(path);
     const vtkSmartPointer<vtkDataObject> data = ReadAnyKind(path, messages, progress);
     const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, messages, progress);
-    CheckPolygons(mesh);
+    CheckPolygons(mesh, data);
     return mesh;
   }
   catch (const std::exception& reason) // a Failure, or memory that is not there
