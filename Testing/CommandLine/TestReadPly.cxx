@@ -199,15 +199,17 @@ TEST(ReadPly, DataLeftOverAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
-    "lambent: warning: what follows the last element of its header is ignored: 6 bytes\n");
+    "lambent: warning: ignored 6 bytes behind the last element that its header names\n");
   EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
   const std::string binary =
     "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\n"
     "property char y\nproperty char z\nend_header\nabc";
   EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
+  EXPECT_EQ(ReadFrom(ReadPly, binary + "d").warnings,
+    "lambent: warning: ignored 1 byte behind the last element that its header names\n");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
-    "lambent: warning: what follows the last element of its header is ignored: 2 bytes\n");
+    "lambent: warning: ignored 2 bytes behind the last element that its header names\n");
 }
 
 TEST(ReadPly, EmptyFacesKeepTheirIds)

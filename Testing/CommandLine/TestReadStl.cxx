@@ -205,8 +205,7 @@ TEST(ReadStl, BinaryWithAWrongCount)
     "lambent: warning: the number of triangles in its header is 1, but there are 2; all of them "
     "are read\n");
   EXPECT_NE(Read(Binary("", 0xffffffff)).failure.find("4294967295 triangles"), std::string::npos);
-  ExpectSquare(
-    Binary() + "bye", "lambent: warning: what follows its last triangle is ignored: 3 bytes\n");
+  ExpectSquare(Binary() + "bye", "lambent: warning: ignored 3 bytes behind its last triangle\n");
 }
 
 TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)

@@ -147,8 +147,8 @@ class TestReadingKinds(CommandTest):
         self.assertEqual(self.read("picture.pnm"), self.picture(
             "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
         lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
-        self.assertEqual(lines, ["lambent: warning: 'rest.ply': what follows the last element of "
-                                 "its header is ignored: 8 bytes"])
+        self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes behind the last "
+                                 "element that its header names"])
 
     def test_a_mere_missing_line_end_is_no_warning(self):
         for name, content in (("end.obj", make.obj(SQUARE)), ("end.ply", make.ply_text(SQUARE)),

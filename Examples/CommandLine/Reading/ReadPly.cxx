@@ -30,7 +30,7 @@ void CheckCount(const PlyCursor& cursor, const PlyElement& element)
   }
 }
 
-/// What is left over is ignored, but not in silence.
+/// Warns of numbers and bytes that belong to no element.
 void WarnOfRest(PlyCursor& cursor)
 {
   if (cursor.GetLeftOver() > 0)
@@ -43,8 +43,8 @@ void WarnOfRest(PlyCursor& cursor)
   const std::size_t bytes = cursor.BytesBehind();
   if (bytes > 0)
   {
-    vtkGenericWarningMacro(<< "what follows the last element of its header is ignored: " << bytes
-                           << (bytes == 1 ? " byte" : " bytes"));
+    vtkGenericWarningMacro(<< "ignored " << bytes << (bytes == 1 ? " byte" : " bytes")
+                           << " behind the last element that its header names");
   }
 }
 

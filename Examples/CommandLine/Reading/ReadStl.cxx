@@ -79,8 +79,8 @@ std::size_t CheckedCount(std::string_view file)
   const std::size_t leftOver = file.size() - HeaderSize - TriangleSize * count;
   if (leftOver % TriangleSize != 0)
   {
-    vtkGenericWarningMacro(<< "what follows its last triangle is ignored: " << leftOver
-                           << (leftOver == 1 ? " byte" : " bytes"));
+    vtkGenericWarningMacro(<< "ignored " << leftOver << (leftOver == 1 ? " byte" : " bytes")
+                           << " behind its last triangle");
     return count;
   }
   const std::size_t all = count + leftOver / TriangleSize;
