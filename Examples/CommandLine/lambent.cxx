@@ -5,6 +5,7 @@
  * @brief the command `lambent`: from meshes on disk to the picture of them
  */
 
+#include "CheckPolygons.h"
 #include "Compare.h"
 #include "Messages.h"
 #include "Options.h"
@@ -19,7 +20,6 @@
 #include "vtkLambentRayTracer.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -39,17 +39,6 @@ namespace
 
 using namespace lambent::command;
 using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
-
-vtkIdType CountTriangles(vtkPolyData* mesh)
-{
-  vtkIdType count = 0;
-  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
-  {
-    // A polygon or strip of n points is n - 2 triangles.
-    count += cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
-  }
-  return count;
-}
 
 Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progress)
 {

@@ -209,6 +209,10 @@ std::vector<double> ValuesOf(vtkPolyData* mesh)
   tracer->SetImageSize(4, 4);
   tracer->SetInputData(mesh);
   tracer->Update();
+  for (int i = 0; i < mesh->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_EQ(mesh->GetPointData()->GetArray(i)->GetNumberOfTuples(), mesh->GetNumberOfPoints());
+  }
   std::vector<double> values;
   for (vtkCellArray* const cells : { mesh->GetPolys(), mesh->GetStrips() })
   {
@@ -279,6 +283,8 @@ std::vector<File> MakeFiles()
       { fileType == VTK_ASCII ? "text " : "binary ", ".stl", Written(writer.Get(), MakeMesh()) });
   }
   files.push_back({ "", ".obj", Written(vtkNew<vtkOBJWriter>().Get(), MakeMesh()) });
+  const std::vector<File> byHand = MakeFilesByHand();
+  files.insert(files.end(), byHand.begin(), byHand.end());
   files.push_back({ "", ".png", Written(vtkNew<vtkPNGWriter>().Get(), MakeImage()) });
   return files;
 }

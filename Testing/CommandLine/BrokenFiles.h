@@ -17,8 +17,12 @@ struct File
   std::string bytes;
 };
 
-/// Meshes and pictures as VTK's writers make them, in every format and with every compressor.
+/// Meshes and pictures as VTK's writers make them, in every format and with every compressor, and
+/// those made by hand.
 std::vector<File> MakeFiles();
+
+/// What VTK's writers do not write: lines, groups, strips, and so on.
+std::vector<File> MakeFilesByHand();
 
 /// A file in the working folder while it lives.
 class Scratch

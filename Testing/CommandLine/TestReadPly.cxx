@@ -1,21 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Messages.h"
+#include "ReadFrom.h"
 #include "ReadPly.h"
-
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <fstream>
-#include <string>
-#include <unistd.h>
 
 using namespace lambent::command;
 
@@ -24,19 +11,12 @@ namespace
 
 vtkSmartPointer<vtkPolyData> ReadText(const std::string& content)
 {
-  const std::string path = "TestReadPly-" + std::to_string(getpid()) + ".ply";
-  std::ofstream(path, std::ios::binary) << content;
-  try
+  const Outcome outcome = ReadFrom(ReadPly, content);
+  if (!outcome.mesh)
   {
-    const auto mesh = ReadPly(path, [](double) {});
-    std::remove(path.c_str());
-    return mesh;
+    throw Failure(outcome.failure);
   }
-  catch (...)
-  {
-    std::remove(path.c_str());
-    throw;
-  }
+  return outcome.mesh;
 }
 
 const std::string Vertices = "element vertex 4\nproperty float x\nproperty float y\n"
@@ -65,12 +45,37 @@ TEST(ReadPly, CellsAndPointsKeepTheirOrder)
 
 TEST(ReadPly, LineEndsOfOtherSystems)
 {
-  std::string text;
-  for (const char c : Text)
+  for (const std::string end : { "\r\n", "\r" })
   {
-    text += c == '\n' ? "\r\n" : std::string(1, c);
+    std::string text;
+    for (const char c : Text)
+    {
+      text += c == '\n' ? end : std::string(1, c);
+    }
+    const Outcome outcome = ReadFrom(ReadPly, text);
+    EXPECT_EQ(outcome.warnings, "");
+    EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
   }
-  EXPECT_EQ(ReadText(text)->GetNumberOfPolys(), 2);
+}
+
+// Behind the line end of a header with LF or CR any byte is data, the other line end included.
+TEST(ReadPly, LineEndsBeforeBinaryData)
+{
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    std::string bytes = "ply@format binary_little_endian 1.0@element vertex 1@property char x@"
+                        "property char y@property char z@end_header@";
+    for (std::size_t at; (at = bytes.find('@')) != std::string::npos;)
+    {
+      bytes.replace(at, 1, end);
+    }
+    for (const int first : { 10, 13, 5 })
+    {
+      const Outcome outcome =
+        ReadFrom(ReadPly, bytes + std::string{ static_cast<char>(first), 2, 3 });
+      EXPECT_EQ(PointsOf(outcome), (Rows{ { static_cast<double>(first), 2, 3 } }));
+    }
+  }
 }
 
 TEST(ReadPly, DoubleStaysDouble)
@@ -124,4 +129,110 @@ TEST(ReadPly, EveryCutOfABinaryFileIsNoticed)
   {
     EXPECT_THROW(ReadText(whole.substr(0, size)), Failure) << size;
   }
+}
+
+namespace
+{
+
+std::string WithStrips(const std::string& list, const std::string& values)
+{
+  return "ply\nformat ascii 1.0\n" + Vertices + "element tristrips 1\nproperty list " + list +
+    " vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n" + values + "\n";
+}
+
+} // namespace
+
+TEST(ReadPly, TriangleStrips)
+{
+  const Outcome one = ReadFrom(ReadPly, WithStrips("int int", "4 0 1 3 2"));
+  EXPECT_EQ(one.warnings, "");
+  EXPECT_EQ(CellsOf(one.mesh->GetStrips()), (Cells{ { 0, 1, 3, 2 } }));
+  EXPECT_EQ(one.mesh->GetNumberOfPolys(), 0);
+  for (const char* const values :
+    { "9 0 1 3 2 -1 3 1 2 -1", "8 0 1 3 2 -1 3 1 2", "11 -1 0 1 3 2 -1 -1 3 1 2 -1" })
+  {
+    const Outcome several = ReadFrom(ReadPly, WithStrips("int int", values));
+    EXPECT_EQ(several.warnings, "");
+    EXPECT_EQ(CellsOf(several.mesh->GetStrips()), (Cells{ { 0, 1, 3, 2 }, { 3, 1, 2 } })) << values;
+  }
+  const Outcome isUnsigned = ReadFrom(ReadPly, WithStrips("uint uint", "7 0 1 2 4294967295 3 1 2"));
+  EXPECT_EQ(CellsOf(isUnsigned.mesh->GetStrips()), (Cells{ { 0, 1, 2 }, { 3, 1, 2 } }));
+}
+
+TEST(ReadPly, TriangleStripsThatAreNone)
+{
+  const Outcome outcome = ReadFrom(ReadPly, WithStrips("int int", "7 0 -1 0 1 2 -1 3"));
+  EXPECT_EQ(outcome.warnings,
+    "lambent: warning: triangle strips of fewer than 3 points are left out; it has 2 of them\n");
+  EXPECT_EQ(CellsOf(outcome.mesh->GetStrips()), (Cells{ { 0, 1, 2 } }));
+  EXPECT_EQ(ReadFrom(ReadPly, WithStrips("int int", "4 0 1 2 -2")).failure,
+    "triangle strip 0 names a vertex that does not exist");
+  std::string text = WithStrips("int int", "3 0 1 2");
+  text.replace(text.find("vertex_indices"), 14, "points");
+  EXPECT_EQ(ReadFrom(ReadPly, text).failure, "its triangle strips have no list 'vertex_indices'");
+}
+
+TEST(ReadPly, NumbersLeftOverOnALine)
+{
+  std::string text = Text;
+  text.replace(text.find("1 0 0\n"), 6, "1 0 0 255 7\n");
+  text.replace(text.find("3 0 1 2\n"), 8, "3 0 1 2 9\n");
+  const Outcome outcome = ReadFrom(ReadPly, text);
+  EXPECT_EQ(outcome.warnings,
+    "lambent: warning: numbers left over on a line are ignored, since an element has a line of its "
+    "own; it has 3 of them, the first in line 11\n");
+  EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
+  EXPECT_EQ(PointsOf(outcome), PointsOf(ReadFrom(ReadPly, Text)));
+}
+
+TEST(ReadPly, AnElementMayGoOnInTheNextLine)
+{
+  std::string text = Text;
+  text.replace(text.find("1 0 0\n"), 6, "1\n 0\n\n0\n");
+  text.replace(text.find("4 0 1 2 3\n"), 10, "4 0 1\n2 3\n");
+  const Outcome outcome = ReadFrom(ReadPly, text);
+  EXPECT_EQ(outcome.warnings, "");
+  EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
+}
+
+TEST(ReadPly, DataLeftOverAtTheEnd)
+{
+  const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
+  EXPECT_EQ(text.warnings,
+    "lambent: warning: ignored 6 bytes behind the last element that its header names\n");
+  EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
+  EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
+  const std::string binary =
+    "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\n"
+    "property char y\nproperty char z\nend_header\nabc";
+  EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
+  EXPECT_EQ(ReadFrom(ReadPly, binary + "d").warnings,
+    "lambent: warning: ignored 1 byte behind the last element that its header names\n");
+  EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
+    "lambent: warning: ignored 2 bytes behind the last element that its header names\n");
+}
+
+TEST(ReadPly, EmptyFacesKeepTheirIds)
+{
+  std::string text = Text;
+  text.replace(text.find("3 0 1 2\n"), 8, "0\n");
+  EXPECT_EQ(PolygonsOf(ReadFrom(ReadPly, text)), (Cells{ {}, { 0, 1, 2, 3 } }));
+}
+
+TEST(ReadPly, WhatIsNoNumberIsNamedWithItsLine)
+{
+  std::string text = Text;
+  text.replace(text.find("1 1 0.1"), 7, "1 one 0");
+  EXPECT_EQ(ReadFrom(ReadPly, text).failure, "line 12: 'one' where a number is due");
+}
+
+TEST(ReadPly, NormalsAreThoseOfTheVerticesThatAreRead)
+{
+  const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
+  const Outcome outcome = ReadFrom(ReadPly,
+    "ply\nformat ascii 1.0\nelement vertex 1\n" + vertex +
+      "property float nx\nproperty float ny\nproperty float nz\nelement vertex 2\n" + vertex +
+      "end_header\n0 0 0 1 0 0\n1 1 1\n2 2 2\n");
+  EXPECT_EQ(outcome.mesh->GetNumberOfPoints(), 2);
+  EXPECT_EQ(NormalsOf(outcome), Rows());
 }

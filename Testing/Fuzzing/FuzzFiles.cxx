@@ -1,15 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command reads by itself: PLY files, and legacy VTK files that are looked over before
-// VTK reads them. A Failure, or a sound mesh.
+// What the command reads by itself: PLY, STL and OBJ files, and legacy VTK files that are looked
+// over before VTK reads them. A Failure, or a sound mesh.
 #include "FuzzInput.h"
 
+#include "CheckCells.h"
 #include "CheckLegacyVtk.h"
 #include "Messages.h"
+#include "ReadObj.h"
 #include "ReadPly.h"
+#include "ReadStl.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -38,19 +42,71 @@ private:
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> File{ std::tmpfile(), std::fclose };
 };
 
-void check(vtkPolyData* mesh)
+void check(vtkCellArray* cells)
 {
-  vtkCellArray* polygons = mesh->GetPolys();
-  require(mesh->GetPoints() && mesh->GetPoints()->GetData()->GetNumberOfComponents() == 3,
-    "there are points");
-  vtkDataArray* offsets = polygons->GetOffsetsArray();
+  vtkDataArray* offsets = cells->GetOffsetsArray();
   double before = 0;
   for (vtkIdType k = 0; k < offsets->GetNumberOfTuples(); ++k)
   {
     const double offset = offsets->GetTuple1(k);
-    require(offset >= before && offset <= polygons->GetNumberOfConnectivityIds(),
+    require(offset >= before && offset <= cells->GetNumberOfConnectivityIds(),
       "offsets increase up to the end");
     before = offset;
+  }
+}
+
+void check(vtkPolyData* mesh)
+{
+  require(mesh->GetPoints() && mesh->GetPoints()->GetData()->GetNumberOfComponents() == 3,
+    "there are points");
+  for (int i = 0; i < mesh->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    require(mesh->GetPointData()->GetArray(i)->GetNumberOfTuples() == mesh->GetNumberOfPoints(),
+      "point data has the length of the points");
+  }
+  check(mesh->GetPolys());
+  check(mesh->GetStrips());
+}
+
+/// These two have no index that is not checked while it is read.
+void checkIds(vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return; // there was none in the file
+  }
+  check(mesh);
+  for (vtkCellArray* const cells : { mesh->GetPolys(), mesh->GetLines(), mesh->GetVerts() })
+  {
+    try
+    {
+      CheckCells(cells, mesh->GetNumberOfPoints());
+    }
+    catch (const Failure&)
+    {
+      require(false, "cells name points that exist");
+    }
+  }
+}
+
+void read(std::string_view text, const std::string& path)
+{
+  const auto progress = [](double) {};
+  if (text.substr(0, 5) == "# vtk")
+  {
+    CheckLegacyVtk(path);
+  }
+  else if (text.substr(0, 3) == "ply")
+  {
+    check(ReadPly(path, progress));
+  }
+  else if (text.substr(0, 4) == "#stl" || (!text.empty() && (text[0] == 's' || text[0] == 'S')))
+  {
+    checkIds(ReadStl(path, progress));
+  }
+  else
+  {
+    checkIds(ReadObj(path, progress));
   }
 }
 }
@@ -62,8 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const NamelessFile file(data, size);
   try
   {
-    text.substr(0, 5) == "# vtk" ? CheckLegacyVtk(file.path())
-                                 : check(ReadPly(file.path(), [](double) {}));
+    read(text, file.path());
   }
   catch (const Failure& failure)
   {

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "PlyCursor.h"
-#include "Messages.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 namespace lambent::command
@@ -24,11 +22,12 @@ bool IsHostLittleEndian()
 
 } // namespace
 
-PlyCursor::PlyCursor(const char* begin, const char* end, PlyFormat format)
-  : At(begin)
-  , End(end)
-  , IsText(format == PlyFormat::Text)
-  , IsSwapped(!IsText && IsHostLittleEndian() != (format == PlyFormat::LittleEndian))
+PlyCursor::PlyCursor(std::string_view file, const PlyHeader& header)
+  : Text(file.substr(header.bodyOffset), header.lines + 1)
+  , At(file.data() + header.bodyOffset)
+  , End(file.data() + file.size())
+  , IsText(header.format == PlyFormat::Text)
+  , IsSwapped(!IsText && IsHostLittleEndian() != (header.format == PlyFormat::LittleEndian))
 {
 }
 
@@ -36,7 +35,8 @@ bool PlyCursor::CanHold(double count, PlyType type) const
 {
   // In text a value takes a digit and, but for the last one, a space.
   const double bytes = this->IsText ? 2.0 : static_cast<double>(PlySize(type));
-  return count >= 0 && count * bytes <= static_cast<double>(this->End - this->At + 1);
+  const char* const at = this->IsText ? this->Text.Position() : this->At;
+  return count >= 0 && count * bytes <= static_cast<double>(this->End - at + 1);
 }
 
 bool PlyCursor::Next(PlyType type, double& value)
@@ -89,18 +89,42 @@ bool PlyCursor::Take(double& value)
 
 bool PlyCursor::TakeText(double& value)
 {
-  char* end = nullptr;
-  value = std::strtod(this->At, &end);
-  if (end != this->At)
+  this->Text.SkipSpace();
+  if (this->Text.IsAtEnd())
   {
-    this->At = end;
-    return true;
+    return false;
   }
-  if (this->At + std::strspn(this->At, " \t\r\n") < this->End)
+  value = this->Text.TakeNumber();
+  return true;
+}
+
+void PlyCursor::EndItem()
+{
+  if (!this->IsText)
   {
-    throw Failure("it has something else where a number is due");
+    return;
   }
-  return false;
+  this->Text.SkipBlanks();
+  while (!this->Text.TakeWord().empty())
+  {
+    if (this->LeftOver++ == 0)
+    {
+      this->FirstLineWithMore = this->Text.Line();
+    }
+    this->Text.SkipBlanks();
+  }
+}
+
+std::size_t PlyCursor::BytesBehind()
+{
+  if (this->IsText)
+  {
+    this->Text.SkipSpace();
+    return static_cast<std::size_t>(this->End - this->Text.Position());
+  }
+  const bool isBlank = std::all_of(
+    this->At, this->End, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+  return isBlank ? 0 : static_cast<std::size_t>(this->End - this->At);
 }
 
 } // namespace lambent::command

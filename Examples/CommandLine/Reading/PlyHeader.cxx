@@ -81,13 +81,28 @@ std::size_t PlySize(PlyType type)
   return 8;
 }
 
+namespace
+{
+
+/// The last byte of a line end. Before a '\n' a '\r' does not matter.
+char LineEndOf(std::string_view file)
+{
+  const std::size_t first = file.find_first_of("\r\n");
+  const bool isCarriageReturn = first != std::string_view::npos && file[first] == '\r' &&
+    (first + 1 == file.size() || file[first + 1] != '\n');
+  return isCarriageReturn ? '\r' : '\n';
+}
+
+} // namespace
+
 PlyHeader ParsePlyHeader(std::string_view file)
 {
   PlyHeader header;
   bool hasFormat = false;
+  const char lineEnd = LineEndOf(file);
   for (std::size_t lineNumber = 0;; ++lineNumber)
   {
-    const std::size_t end = file.find('\n', header.bodyOffset);
+    const std::size_t end = file.find(lineEnd, header.bodyOffset);
     std::istringstream words(
       std::string(file.substr(header.bodyOffset, end - header.bodyOffset))); // ">>" drops a '\r'
     std::string keyword;
@@ -101,6 +116,7 @@ PlyHeader ParsePlyHeader(std::string_view file)
       throw Failure("it ends within its header");
     }
     header.bodyOffset = end + 1;
+    header.lines = lineNumber + 1;
 
     if (keyword == "end_header")
     {

@@ -57,10 +57,12 @@ struct PlyHeader
 {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
+  std::size_t lines = 0;      ///< how many it has
   std::size_t bodyOffset = 0; ///< where the first element begins in the file
 };
 
-/// Reads the header at the start of a file; throws Failure with what is wrong in it.
+/// Reads the header at the start of a file; throws Failure with what is wrong in it. Its lines end
+/// as the first one does, with LF, CR LF or CR: behind the last one any byte may follow.
 PlyHeader ParsePlyHeader(std::string_view file);
 
 } // namespace lambent::command

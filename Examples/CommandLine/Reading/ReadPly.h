@@ -5,9 +5,10 @@
  * @brief read a polygon mesh from a PLY file
  *
  * Text and binary of either byte order: the coordinates and normals of the
- * vertices, the vertex lists of the faces; all other elements and properties
- * are passed over. Coordinates keep their precision: float stays float, double
- * stays double.
+ * vertices, the vertex lists of the faces, the triangle strips of the element
+ * "tristrips"; all other elements and properties are passed over. Coordinates
+ * keep their precision: float stays float, double stays double. What is left over
+ * on a line of text, or behind the last element, is ignored with a warning.
  *
  * vtkPLYReader is not used, for three reasons: it narrows double coordinates to
  * float, it trusts the header (a text file that is cut short makes it read

@@ -5,11 +5,14 @@
 #include "CheckCells.h"
 #include "CheckFile.h"
 #include "CheckLegacyVtk.h"
+#include "CheckPolygons.h"
 #include "CheckXml.h"
 #include "FileKinds.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "ReadObj.h"
 #include "ReadPly.h"
+#include "ReadStl.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -17,58 +20,15 @@
 #include "vtkErrorCode.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkPolyData.h"
-#include "vtkSTLReader.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 namespace lambent::command
 {
 namespace
 {
-
-/// vtkSTLReader takes any bytes for binary triangles and any number of them for all.
-void CheckStl(const std::string& path)
-{
-  constexpr std::size_t headerSize = 84;
-  constexpr std::size_t triangleSize = 50;
-  std::ifstream file(path, std::ios::binary);
-  unsigned char header[headerSize] = {};
-  file.read(reinterpret_cast<char*>(header), headerSize);
-  const std::string start(reinterpret_cast<char*>(header), headerSize);
-  const bool isText = start.compare(start.find_first_not_of(" \t\r\n"), 5, "solid") == 0 &&
-    std::all_of(start.begin(), start.begin() + file.gcount(),
-      [](char c) { return static_cast<unsigned char>(c) < 128 && c != '\0'; });
-  if (isText)
-  {
-    return; // the reader knows where the text has to end
-  }
-  std::size_t count = 0;
-  for (int i = 3; i >= 0; --i)
-  {
-    count = 256 * count + header[80 + i];
-  }
-  if (static_cast<std::size_t>(file.gcount()) < headerSize ||
-    std::filesystem::file_size(path) < headerSize + triangleSize * count)
-  {
-    throw Failure("it is cut short or not an STL file: it is too short for the " +
-      std::to_string(count) + " triangles that it promises; get a whole copy of it");
-  }
-}
-
-/// An OBJ file has no counts and no end: what tells of a cut is a line that is not ended.
-void CheckObj(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  file.seekg(-1, std::ios::end);
-  CheckLastByte(static_cast<char>(file.get()));
-}
 
 /// Runs a reader and gives its output, or throws what it has to say.
 template <typename Reader>
@@ -100,6 +60,7 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
   {
     throw Failure("its kind is not known; its name has to end in one of " + MeshExtensions());
   }
+  const auto follow = [&progress](double fraction) { progress.Update(fraction); };
   switch (*kind)
   {
     case MeshKind::Vtp:
@@ -112,31 +73,13 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
       CheckLegacyVtk(path);
       return Read<vtkGenericDataObjectReader>(path, messages, progress);
     case MeshKind::Obj:
-      CheckObj(path);
-      return Read<vtkOBJReader>(path, messages, progress);
+      return ReadObj(path, follow);
     case MeshKind::Stl:
-      CheckStl(path);
-      return Read<vtkSTLReader>(path, messages, progress);
+      return ReadStl(path, follow);
     case MeshKind::Ply:
       break;
   }
-  return ReadPly(path, [&progress](double fraction) { progress.Update(fraction); });
-}
-
-/// A mesh without polygons can be drawn. But in the kinds that do not tell at their start what is
-/// in them, it means that the rest is missing.
-void CheckPolygons(const std::string& path, vtkPolyData* mesh)
-{
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() > 0)
-  {
-    return;
-  }
-  const std::optional<MeshKind> kind = MeshKindOf(path);
-  if (kind == MeshKind::LegacyVtk || kind == MeshKind::Obj)
-  {
-    throw Failure("it has points, but no polygons; get a whole copy of it");
-  }
-  vtkGenericWarningMacro("it has no polygons, so that nothing of it is seen");
+  return ReadPly(path, follow);
 }
 
 vtkSmartPointer<vtkPolyData> SurfaceOf(
@@ -182,7 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(
     CheckFile(path);
     const vtkSmartPointer<vtkDataObject> data = ReadAnyKind(path, messages, progress);
     const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, messages, progress);
-    CheckPolygons(path, mesh);
+    CheckPolygons(mesh, data);
     return mesh;
   }
   catch (const std::exception& reason) // a Failure, or memory that is not there

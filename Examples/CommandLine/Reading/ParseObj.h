@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief from the text of an OBJ file to its points, normals, texture coordinates and faces
+ *
+ * Line by line, and every number and every index is checked. What becomes of it
+ * is in ReadObj.h.
+ *
+ * Reference: Wavefront Technologies, "Object Files (.obj)", Advanced Visualizer
+ * manual, appendix B1.
+ */
+
+#ifndef ParseObj_h
+#define ParseObj_h
+
+#include "CellLists.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+namespace lambent::command
+{
+
+/// All ids count from 0.
+struct ObjContent
+{
+  std::vector<double> points;            ///< x y z
+  std::vector<float> colors;             ///< r g b of each point; empty if no point has a colour
+  std::vector<float> textureCoordinates; ///< u v
+  std::vector<float> normals;            ///< x y z
+
+  CellLists faces;
+  CellLists lines;
+  CellLists vertices;
+
+  /// The ids that the corners of the faces name, or NoKey; empty if no corner names any.
+  std::vector<std::int32_t> textureOfCorner;
+  std::vector<std::int32_t> normalOfCorner;
+
+  /// The smoothing group of each face, 0 where it is off; empty if no 's' precedes any face.
+  /// The groups are numbered from 1 in the order in which they come.
+  std::vector<std::int32_t> groupOfFace;
+  std::int32_t numberOfGroups = 0;
+
+  std::size_t cellsOfTooFewPoints = 0; ///< faces of 1 or 2, lines of 1; they are left out
+  std::size_t freeFormSurfaces = 0;    ///< they are left out
+
+  std::size_t numberOfPoints() const { return this->points.size() / 3; }
+};
+
+/// Throws Failure with the line if a number is none, or an index names nothing. A zero byte must
+/// follow the text.
+ObjContent ParseObj(std::string_view text, const std::function<void(double)>& progress);
+
+} // namespace lambent::command
+
+#endif

@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""OBJ, PLY and STL files as people have them, from outside: the right picture, or one true line.
+TestReadObj.cxx, TestObjNormals.cxx, TestReadPly.cxx and TestReadStl.cxx have the details."""
+
+import unittest
+
+import commandline as make
+from commandline import CommandTest, SQUARE, TETRAHEDRON
+
+VIEW = ("--direction", "1,2,3", "--size", "64x48")
+BLACK, WHITE = (0, 0, 0), (255, 255, 255)
+
+# Corners (0, 0), (1, 0), (0, 1), (1, 1) in the plane z = 0, as text of an OBJ file.
+CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+FACE_ON = ("--camera-position", "0.5,0.5,9", "--focal-point", "0.5,0.5,0", "--parallel-scale", "0.5")
+
+PLY_CORNERS = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+               "property float z\n%send_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n")
+PLY_FACES = "element face %d\nproperty list uchar int vertex_indices\n"
+PLY_STRIPS = "element tristrips 1\nproperty list int int vertex_indices\n"
+
+# Two sides of a roof, at a right angle.
+ROOF = "v 0 0 0\nv 1 0 0\nv 0 1 -1\nv 1 1 -1\nv 0 -1 -1\nv 1 -1 -1\n"
+
+
+class TestReadingKinds(CommandTest):
+
+    def picture(self, name, content, *arguments):
+        self.write(name, content)
+        self.succeed(name, *(arguments or VIEW), "-o", "picture.pnm")
+        return self.read("picture.pnm")
+
+    def warnings(self, name, content, *arguments):
+        self.write(name, content)
+        done = self.run_command(name, *arguments, "-o", "picture.pnm", "--size", "9x9")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr.decode().splitlines()
+
+    def failure(self, name, content):
+        self.write(name, content)
+        line = self.fail_with(1, name, "-o", "x.png")
+        start = "lambent: cannot read '%s': " % name
+        self.assertEqual(line[:len(start)], start)
+        return line[len(start):]
+
+    def test_faces_that_cover_the_whole_square(self):
+        plain = "f 1 2 3\nf 2 4 3\n"
+        contents = {
+            "plain.obj": CORNERS + plain,
+            "material.obj": CORNERS + "usemtl \n" + plain,
+            "mixed.obj": CORNERS + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 2 4 3\n",
+            "within.obj": CORNERS + "vt 0 0\nvn 0 0 1\nf 1 2//1 3/1/1\nf 2/1 4// 3/1/\n",
+            "slash.obj": CORNERS + "vt 0 0\nf 1/1/ 2/1/ 3/1/\nf 2/1/ 4/1/ 3/1/\n",
+            "end.obj": (CORNERS + plain)[:-1],
+            "mac.obj": (CORNERS + plain).replace("\n", "\r").encode(),
+            "back.obj": CORNERS + "f -4 -3 -2 # first\nf -3 \\\n-1 -2 # second\n",
+            "mark.obj": b"\xef\xbb\xbf" + (CORNERS + plain).encode(),
+            "groups.obj": CORNERS + "g a\ns 1\nf 1 2 3\no b\ns off\nf 2 4 3\n",
+            "colours.obj": CORNERS.replace("\n", " 1 0.5 0\n") + plain,
+            "empty.ply": PLY_CORNERS % (PLY_FACES % 3) + "0\n3 0 1 2\n3 1 3 2\n",
+            "mac.ply": (PLY_CORNERS % (PLY_FACES % 2) + "3 0 1 2\n3 1 3 2\n").replace(
+                "\n", "\r").encode(),
+            "strips.ply": PLY_CORNERS % PLY_STRIPS + "4 0 1 2 3\n",
+            "runs.ply": PLY_CORNERS % PLY_STRIPS + "8 0 1 2 -1 1 3 2 -1\n",
+            "both.ply": PLY_CORNERS % (PLY_FACES % 1 + PLY_STRIPS) + "3 0 1 2\n3 1 3 2\n",
+            "capitals.stl": make.stl_text(
+                ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2), (1, 3, 2)])).upper(),
+            "name.stl": make.stl_text(
+                ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)],
+                 [(0, 1, 2), (1, 3, 2)])).replace("test", "Würfel").encode(),
+        }
+        for name, content in contents.items():
+            with self.subTest(name):
+                self.write(name, content)
+                for shading in ("smooth", "flat"):
+                    rows = self.pixels(name, *FACE_ON, "--shading", shading)
+                    self.assertEqual(rows, [[WHITE] * 9] * 9)
+
+    def test_smoothing_groups_are_normals(self):
+        # s 1 across the ridge as vn would say it; without either the picture is another.
+        faces = "f 1 2 4 3\nf 2 1 5 6\n"
+        view = ("--direction", "0.3,0,1", "--size", "32x32", "--light", "direction=0,-1,-1")
+        smooth = self.picture("s.obj", ROOF + "s 1\n" + faces, *view)
+        half = repr(0.5 ** 0.5)
+        normals = "vn 0 0 1\nvn 0 %s %s\nvn 0 -%s %s\n" % (half, half, half, half)
+        self.assertEqual(smooth, self.picture(
+            "n.obj", ROOF + normals + "f 1//1 2//1 4//2 3//2\nf 2//1 1//1 5//3 6//3\n", *view))
+        flat = self.picture("off.obj", ROOF + "s off\n" + faces, *view)
+        self.assertEqual(flat, self.picture("s12.obj", ROOF + "s 1\nf 1 2 4 3\ns 2\nf 2 1 5 6\n",
+                                            *view))
+        self.assertEqual(flat, self.picture("flat.obj", ROOF + faces, *view, "--shading", "flat"))
+        self.assertNotEqual(smooth, flat)
+
+    def test_no_crack_where_points_have_several_normals(self):
+        # Each corner has a normal of its own, all of them the same: no pixel differs.
+        points, faces = TETRAHEDRON
+        text = make.obj((points, [])) + "".join("vn 0 0 1\n" for _ in range(12))
+        own = text + "".join("f %s\n" % " ".join("%d//%d" % (i + 1, 3 * k + c + 1)
+                                                 for c, i in enumerate(face))
+                             for k, face in enumerate(faces))
+        one = text + "".join("f %s\n" % " ".join("%d//1" % (i + 1) for i in face)
+                             for face in faces)
+        self.assertEqual(self.picture("own.obj", own), self.picture("one.obj", one))
+
+    def test_double_coordinates_of_text(self):
+        # 1e7 and a triangle of 1e-3 beside it: as float it would have no extent.
+        points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
+        view = ("--camera-position", "10000000.00025,10000000.00025,1", "--focal-point",
+                "10000000.00025,10000000.00025,0", "--parallel-scale", "0.0001")
+        for name, writer in (("far.obj", make.obj), ("far.stl", make.stl_text)):
+            self.write(name, writer((points, [(0, 1, 2)])))
+            self.assertEqual(self.pixels(name, *view), [[WHITE] * 9] * 9)
+
+    def test_indices_that_name_nothing(self):
+        end = "; correct the line, or get a whole copy"
+        for text, line in (
+                ("f 1//1 2//1 3//1\n", "line 5 names normal 1, but the file has no normals (vn)"),
+                ("vn 0 0 1\nf 1//1 2//9 3//40\n",
+                 "line 6 names normal 9, but the file has 1 normal (vn)"),
+                ("f 1/1 2/2 3/3\n", "line 5 names texture coordinate 1, but the file has no texture "
+                                    "coordinates (vt)"),
+                ("f 1 2 5\n", "line 5 names point 5, but the file has 4 points (v)"),
+                ("f 0 1 2\n", "line 5 names point 0, but indices count from 1; so far the file has "
+                              "4 points (v)"),
+                ("f 1 2 -5\n", "line 5 names point -5, but before that line it has 4 points (v)")):
+            self.assertEqual(self.failure("wrong.obj", CORNERS + text), line + end)
+
+    def test_numbers_that_are_none(self):
+        self.assertEqual(self.failure("wrong.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"),
+                         "line 2: 'nan' is not a finite number")
+        text = make.stl_text(TETRAHEDRON)
+        self.assertEqual(self.failure("wrong.stl", text.replace("vertex 2", "vertex two", 1)),
+                         "line 6: 'two' where a number is due")
+        self.assertEqual(self.failure("cut.stl", text[:text.rindex("vertex")]),
+                         "line 27: it is cut short: it ends where 'vertex' is due")
+
+    def test_what_is_left_out_is_counted(self):
+        lines = self.warnings("few.obj", CORNERS + "f 1 2\nf 1 2 3\nf 3\n")
+        self.assertEqual(lines, ["lambent: warning: 'few.obj': faces (f) of fewer than 3 points and "
+                                 "lines (l) of fewer than 2 are left out; it has 2 of them"])
+        faces = PLY_CORNERS % (PLY_FACES % 2)
+        lines = self.warnings("more.ply", faces + "3 0 1 2 255 0 0\n3 1 3 2 255 0 0\n")
+        self.assertEqual(lines, ["lambent: warning: 'more.ply': numbers left over on a line are "
+                                 "ignored, since an element has a line of its own; it has 6 of them, "
+                                 "the first in line 14"])
+        self.assertEqual(self.read("picture.pnm"), self.picture(
+            "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
+        lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
+        self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes behind the last "
+                                 "element that its header names"])
+
+    def test_a_mere_missing_line_end_is_no_warning(self):
+        for name, content in (("end.obj", make.obj(SQUARE)), ("end.ply", make.ply_text(SQUARE)),
+                              ("end.stl", make.stl_text(SQUARE))):
+            self.assertEqual(self.warnings(name, content[:-1]), [])
+
+    def test_points_and_lines_alone(self):
+        last = ", and no polygons; Lambent draws only polygons so far"
+        for name, content, holds in (
+                ("points.obj", CORNERS, "4 points"),
+                ("lines.obj", CORNERS + "l 1 2\nl 1 3 4\nl 2 4\n", "4 points and 3 lines"),
+                ("line.obj", CORNERS + "l 1 2\np 1 2\n", "4 points and 1 line"),
+                ("point.ply", make.ply_text(([(0, 0, 0)], [])), "1 point"),
+                ("thin.ply", make.ply_text((SQUARE[0], [(0, 1), ()])),
+                 "4 points and 2 cells of fewer than 3 points"),
+                ("grid.vtk", make.vtk_grid(SQUARE[0], [], 3), "4 points"),
+                ("lines.vtu", make.vtu(SQUARE[0], [(0, 1), (2, 3)], 3), "4 points and 2 lines"),
+                ("grid.vtu", make.vtu(SQUARE[0], [], 3), "4 points"),
+                ("both.vtk", make.vtk_text((SQUARE[0], [(0, 1)])) + "LINES 1 3\n2 0 2\n",
+                 "4 points, 1 line and 1 cell of fewer than 3 points"),
+                ("lines.vtk", make.vtk_text((SQUARE[0], [(0, 1), (2, 3)])).replace(
+                    "POLYGONS", "LINES"), "4 points and 2 lines")):
+            lines = self.warnings(name, content, "--background", "1,0,0")
+            self.assertEqual(lines[:1],
+                             ["lambent: warning: '%s': it holds %s" % (name, holds) + last])
+            rows = make.read_pnm(self.read("picture.pnm"))
+            self.assertEqual(rows, [[(255, 0, 0)] * 9] * 9)
+
+    def test_triangles_are_counted(self):
+        for name, content, count in (
+                ("empty.ply", PLY_CORNERS % (PLY_FACES % 4) + "0\n4 0 1 3 2\n1 0\n2 0 1\n", 2),
+                ("strips.ply", PLY_CORNERS % PLY_STRIPS + "7 0 1 2 3 -1 0 1\n", 2),
+                ("square.obj", CORNERS + "f 1 2 4 3\nf 1 2\nl 1 2\n", 2)):
+            self.write(name, content)
+            done = self.run_command(name, "-o", "x.pnm", "--size", "9x9", "--verbose")
+            self.assertIn(b"triangles  %d\n" % count, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
