@@ -113,8 +113,7 @@ void AddSurface(CLI::App& app, Options& options)
   AddValue(
     app, "--feature-angle", "DEG", options.featureAngle,
     [](const std::string& text) { return ParseNumber(text, 0, 180); },
-    "smooth: edges of two faces further apart stay sharp, in meshes without normals; 180: smooth "
-    "everywhere, also coarse cylinders and spheres [30]");
+    "meshes without normals: sharper edges stay sharp; 180: smooth, coarse cylinders too [30]");
   const std::map<std::string, AmbientModel> models = { { "per-light", AmbientModel::PerLight },
     { "scene", AmbientModel::Scene } };
   AddValue(
