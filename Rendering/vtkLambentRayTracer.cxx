@@ -5,7 +5,10 @@
 #include "Abort.h"
 #include "CameraFrame.h"
 #include "FilterScene.h"
+#include "IdleSettings.h"
 #include "ImageContract.h"
+#include "InputSettings.h"
+#include "NewMessages.h"
 #include "OutputImage.h"
 #include "Render.h"
 #include "SMPParallel.h"
@@ -25,14 +28,14 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <map>
 #include <new>
 #include <stdexcept>
 
 struct vtkLambentRayTracer::Internals
 {
   vtkNew<vtkLightCollection> Lights;
-  std::map<int, vtkSmartPointer<vtkProperty>> InputProperties;
+  InputSettings Inputs;
+  NewMessages Warnings;
 };
 
 vtkStandardNewMacro(vtkLambentRayTracer);
@@ -137,21 +140,31 @@ void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property
       << connection << "; connections are counted from 0 in the order they were added.");
     return;
   }
-  if (property)
-  {
-    this->Internal->InputProperties[connection] = property;
-  }
-  else
-  {
-    this->Internal->InputProperties.erase(connection);
-  }
+  this->Internal->Inputs.setProperty(connection, property);
   this->Modified();
 }
 
 vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
 {
-  const auto own = this->Internal->InputProperties.find(connection);
-  return own == this->Internal->InputProperties.end() ? nullptr : own->second.Get();
+  return this->Internal->Inputs.property(connection);
+}
+
+// What is set for a connection stays with it.
+void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  this->Internal->Inputs.follow(this, [&]() { this->Superclass::SetInputConnection(port, input); });
+}
+
+void vtkLambentRayTracer::RemoveInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  this->Internal->Inputs.follow(
+    this, [&]() { this->Superclass::RemoveInputConnection(port, input); });
+}
+
+void vtkLambentRayTracer::RemoveInputConnection(int port, int idx)
+{
+  this->Internal->Inputs.follow(
+    this, [&]() { this->Superclass::RemoveInputConnection(port, idx); }, idx);
 }
 
 void vtkLambentRayTracer::SetOutputScalarType(int type)
@@ -187,9 +200,9 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
   };
   cover(this->Camera);
   cover(this->Property);
-  for (const auto& own : this->Internal->InputProperties)
+  for (const auto& own : this->Internal->Inputs.all())
   {
-    cover(own.second);
+    cover(own.second.Property);
   }
   cover(this->Internal->Lights);
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -287,10 +300,9 @@ bool vtkLambentRayTracer::MakePicture(
   {
     meshes.push_back(vtkPolyData::GetData(inputs, k));
   }
-  if (this->Camera && !unsupportedSettings(this->Camera).empty())
+  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(this)))
   {
-    vtkWarningMacro("The camera has settings that are not supported and are ignored: "
-      << unsupportedSettings(this->Camera) << ".");
+    vtkWarningMacro(<< warning);
   }
   if (isAborted(this)) // by who was told that it begins
   {
@@ -355,9 +367,9 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   printObject("Camera", this->Camera);
   printObject("Lights", this->Internal->Lights);
   printObject("Property", this->Property);
-  for (const auto& own : this->Internal->InputProperties)
+  for (const auto& own : this->Internal->Inputs.all())
   {
-    printObject("InputProperty " + std::to_string(own.first), own.second);
+    printObject("InputProperty " + std::to_string(own.first), own.second.Property);
   }
   os << indent << "AmbientModel: " << (this->AmbientModel == SCENE ? "Scene" : "PerLight") << "\n";
   printSwitch("TwoSidedLighting", this->TwoSidedLighting);
