@@ -7,6 +7,7 @@
 
 #include "Compare.h"
 #include "Messages.h"
+#include "NothingSeen.h"
 #include "Options.h"
 #include "Progress.h"
 #include "ReadPicture.h"
@@ -106,6 +107,18 @@ vtkSmartPointer<vtkIdTypeArray> TakeIds(vtkImageData* picture, const char* name)
   return ids;
 }
 
+void WarnIfNothingIsSeen(
+  const Options& options, const Meshes& meshes, vtkImageData* picture, VtkMessages& messages)
+{
+  const std::string reason =
+    options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  if (!reason.empty())
+  {
+    messages.DropWarnings(); // of having drawn it again
+    Say("warning: " + reason);
+  }
+}
+
 Drawing Render(
   const Options& options, const Meshes& meshes, VtkMessages& messages, Progress& progress)
 {
@@ -122,6 +135,7 @@ Drawing Render(
   progress.Erase();
   messages.FlushWarnings("");
   vtkImageData* const picture = tracer->GetOutput();
+  WarnIfNothingIsSeen(options, meshes, picture, messages);
   return { picture, { TakeIds(picture, "CellIds"), TakeIds(picture, "InputIds") } };
 }
 
