@@ -225,13 +225,13 @@ TEST(Views, NearestWins)
   {
     property->LightingOff();
   }
-  studio.tracer->SetInputProperty(0, red);
-  studio.tracer->SetInputProperty(1, green);
   const auto seen = [&](vtkPolyData* first, vtkPolyData* second)
   {
-    studio.tracer->RemoveAllInputConnections(0);
+    studio.tracer->RemoveAllInputConnections(0); // and their properties
     studio.tracer->AddInputDataObject(first);
     studio.tracer->AddInputDataObject(second);
+    studio.tracer->SetInputProperty(0, red);
+    studio.tracer->SetInputProperty(1, green);
     return render(studio.tracer);
   };
   EXPECT_EQ(seen(near, far).count({ 1.0, 0.0, 0.0 }), 81);
