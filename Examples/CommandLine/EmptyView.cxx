@@ -5,9 +5,9 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkIdList.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace lambent::command
 namespace
 {
 
-/// Areas and distances below this part of the largest are rounding.
-constexpr double Negligible = 1e-9;
+/// A face of which less is seen than this part of its area, and that no ray hits, is edge-on.
+constexpr double EdgeOn = 0.01;
 
 /// A point as the camera sees it: right and up in halves of the picture's height, and how far
 /// in front.
@@ -82,7 +82,7 @@ private:
   Triple Position, Forward, Right, Up;
 };
 
-/// What is found in one pass over the faces.
+/// What is found in one pass over the faces, as triangles.
 struct Faces
 {
   vtkIdType count = 0;
@@ -90,72 +90,53 @@ struct Faces
   double largestArea = 0;
   double largestSeenArea = 0; ///< of those across the way that the camera looks
   bool isInFront = false, isInView = false;
-  Triple normal{ 0, 0, 0 }; ///< the sum, each turned to the side of the first
+  Triple normal{ 0, 0, 0 }; ///< the sum, each turned to the side of those before
 };
 
-void AddFace(Faces& faces, const View& view, vtkPolyData* mesh, vtkIdList* ids)
+void AddTriangle(Faces& faces, const View& view, const std::array<Triple, 3>& corners)
 {
-  Triple first, last, next, area{ 0, 0, 0 };
-  bool isInFront = false, isInView = false;
-  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-  {
-    mesh->GetPoint(ids->GetId(k), next.data());
-    const Seen seen = view.see(next);
-    isInFront = isInFront || seen.depth > 0;
-    isInView = isInView || (seen.depth > 0 && view.contains(seen));
-    if (k == 0)
-    {
-      first = next;
-    }
-    Triple u, v, part;
-    vtkMath::Subtract(last.data(), first.data(), u.data());
-    vtkMath::Subtract(next.data(), first.data(), v.data());
-    vtkMath::Cross(u.data(), v.data(), part.data());
-    if (k >= 2)
-    {
-      vtkMath::Add(area.data(), part.data(), area.data());
-    }
-    last = next;
-  }
+  Triple u, v, area;
+  vtkMath::Subtract(corners[1].data(), corners[0].data(), u.data());
+  vtkMath::Subtract(corners[2].data(), corners[0].data(), v.data());
+  vtkMath::Cross(u.data(), v.data(), area.data());
   const double size = vtkMath::Norm(area.data());
   if (!std::isfinite(size)) // the ray tracer has told of it
   {
     return;
   }
   ++faces.count;
-  faces.isInFront = faces.isInFront || isInFront;
-  faces.isInView = faces.isInView || isInView;
+  for (const Triple& corner : corners)
+  {
+    const Seen seen = view.see(corner);
+    faces.isInFront = faces.isInFront || seen.depth > 0;
+    faces.isInView = faces.isInView || (seen.depth > 0 && view.contains(seen));
+  }
+  const Triple way = view.wayTo(corners[0]);
   faces.largestArea = std::max(faces.largestArea, size);
   faces.largestSeenArea =
-    std::max(faces.largestSeenArea, std::fabs(vtkMath::Dot(area.data(), view.wayTo(first).data())));
+    std::max(faces.largestSeenArea, std::fabs(vtkMath::Dot(area.data(), way.data())));
   const double side = vtkMath::Dot(area.data(), faces.normal.data()) < 0 ? -1 : 1;
   vtkMath::MultiplyScalar(area.data(), side);
   vtkMath::Add(faces.normal.data(), area.data(), faces.normal.data());
 }
 
-Faces FindFaces(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, const View& view)
+void AddCells(Faces& faces, const View& view, vtkPolyData* mesh, vtkCellArray* cells)
 {
-  Faces faces;
+  const bool areStrips = cells == mesh->GetStrips();
   vtkNew<vtkIdList> ids;
-  for (vtkPolyData* mesh : meshes)
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
-    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+    cells->GetCellAtId(cell, ids);
+    faces.hasTooFewCorners = faces.hasTooFewCorners || ids->GetNumberOfIds() < 3;
+    for (vtkIdType k = 2; k < ids->GetNumberOfIds(); ++k)
     {
-      for (vtkIdType k = 0; k < cells->GetNumberOfCells(); ++k)
-      {
-        cells->GetCellAtId(k, ids);
-        if (ids->GetNumberOfIds() < 3)
-        {
-          faces.hasTooFewCorners = true;
-        }
-        else
-        {
-          AddFace(faces, view, mesh, ids);
-        }
-      }
+      std::array<Triple, 3> corners;
+      mesh->GetPoint(ids->GetId(areStrips ? k - 2 : 0), corners[0].data());
+      mesh->GetPoint(ids->GetId(k - 1), corners[1].data());
+      mesh->GetPoint(ids->GetId(k), corners[2].data());
+      AddTriangle(faces, view, corners);
     }
   }
-  return faces;
 }
 
 /// Rounded, and from the front, the right, or above.
@@ -200,7 +181,13 @@ std::string CameraOptions(const Options& options)
 std::string WhyNothingIsHit(const Options& options,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, vtkCamera* camera)
 {
-  const Faces faces = FindFaces(meshes, View(camera, *options.size));
+  Faces faces;
+  const View view(camera, *options.size);
+  for (vtkPolyData* mesh : meshes)
+  {
+    AddCells(faces, view, mesh, mesh->GetPolys());
+    AddCells(faces, view, mesh, mesh->GetStrips());
+  }
   const std::string given = CameraOptions(options);
   const std::string tryWithout = given.empty() ? "" : "; try without " + given;
   if (faces.count == 0) // of no corners, or of such that are not numbers, others have told
@@ -215,7 +202,7 @@ std::string WhyNothingIsHit(const Options& options,
   {
     return "all faces lie behind the camera" + tryWithout;
   }
-  if (faces.largestSeenArea <= Negligible * faces.largestArea)
+  if (faces.largestSeenArea <= EdgeOn * faces.largestArea)
   {
     return "the faces are flat and seen along their plane; try --direction " +
       DirectionAlong(faces.normal) +

@@ -7,7 +7,6 @@
 
 #include "vtkLambentRayTracer.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -23,6 +22,8 @@ namespace
 
 using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
 using Pixel = std::array<unsigned char, 3>;
+
+constexpr Pixel Black{ 0, 0, 0 };
 
 Pixel BytesOf(const Triple& color)
 {
@@ -47,7 +48,7 @@ bool HasOnly(vtkImageData* picture, const Pixel& one, const Pixel& other)
       return false;
     }
   }
-  return count > 0;
+  return true;
 }
 
 bool IsBlack(const Triple& color)
@@ -55,31 +56,21 @@ bool IsBlack(const Triple& color)
   return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
 }
 
-/// Whether faces are hit by rays, and whether all of them are black.
-struct Look
+/// True if the scene, drawn so and before a black background, is all black.
+bool IsAllBlack(Options options, const Meshes& meshes)
 {
-  bool isHit = false, isBlack = true;
-};
-
-Look LookAt(const Options& options, const Meshes& meshes)
-{
+  options.background = { 0, 0, 0 };
   const auto tracer = MakeScene(options, meshes);
-  tracer->GenerateIdsOn();
   tracer->Update();
-  vtkPointData* const data = tracer->GetOutput()->GetPointData();
-  auto* const colors = vtkUnsignedCharArray::SafeDownCast(data->GetScalars());
-  auto* const cells = vtkIdTypeArray::SafeDownCast(data->GetArray("CellIds"));
-  Look look;
-  for (vtkIdType k = 0; colors && cells && k < cells->GetNumberOfTuples(); ++k)
-  {
-    if (cells->GetValue(k) >= 0)
-    {
-      const unsigned char* const p = colors->GetPointer(3 * k);
-      look.isHit = true;
-      look.isBlack = look.isBlack && p[0] == 0 && p[1] == 0 && p[2] == 0;
-    }
-  }
-  return look;
+  return HasOnly(tracer->GetOutput(), Black, Black);
+}
+
+/// True if a pixel shows a face, of whatever colour.
+bool IsAnythingHit(Options options, const Meshes& meshes)
+{
+  options.shading = Shading::Unlit;
+  options.color = { 1, 1, 1 };
+  return !IsAllBlack(options, meshes);
 }
 
 /// An experiment: what is changed in the scene, and what is the matter if that makes it light.
@@ -139,7 +130,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
     {
       experiment.change(options, light);
     }
-    if (!LookAt(options, meshes).isBlack)
+    if (!IsAllBlack(options, meshes))
     {
       return experiment.reason;
     }
@@ -152,21 +143,20 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkImageData* picture)
 {
   const Pixel background = BytesOf(options.background);
-  if (!HasOnly(picture, background, Pixel{ 0, 0, 0 }))
+  if (!HasOnly(picture, background, Black))
   {
     return "";
   }
   const std::string nothing = "the picture shows nothing: ";
-  const Look look = LookAt(options, meshes);
-  if (!look.isHit)
+  if (!IsAnythingHit(options, meshes))
   {
     const auto tracer = MakeScene(options, meshes);
     const std::string reason = WhyNothingIsHit(options, meshes, tracer->GetCamera());
     return reason.empty() ? "" : nothing + reason;
   }
-  if (look.isBlack)
+  if (IsAllBlack(options, meshes))
   {
-    return (background == Pixel{ 0, 0, 0 } ? nothing : "the picture shows black only: ") +
+    return (background == Black ? nothing : "the picture shows black only: ") +
       WhyAllIsBlack(options, meshes);
   }
   return HasOnly(picture, background, background)

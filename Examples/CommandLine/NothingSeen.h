@@ -5,8 +5,9 @@
  * @brief why a picture shows nothing
  *
  * A picture shows something as soon as a pixel is neither black nor of the background's
- * colour; that is found at once. Otherwise the scene is drawn again, with the ids of what
- * each pixel shows, and then with other lights, to find out what is the matter.
+ * colour; that is found at once. Otherwise the scene is drawn again, first all white and
+ * unlit, to see whether a face is hit at all; then with one property of the lights changed
+ * after the other, until something shows: that property is the matter.
  */
 
 #ifndef NothingSeen_h

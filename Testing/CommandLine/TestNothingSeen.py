@@ -27,6 +27,7 @@ CASES = (
     (SQUARE, ("--direction", "1,0,0"), FLAT + "0,0,1"),
     (SQUARE, ("--direction", "0,1,0", "--parallel-scale", "2"), FLAT + "0,0,1"),
     (SQUARE, ("--camera-position", "5,0,0"), FLAT + "0,0,1 instead of --camera-position"),
+    (SQUARE, ("--camera-position", "50,0,0.01"), FLAT + "0,0,1 instead of --camera-position"),
     (TWO_SHEETS, ("--direction", "1,0,0", "--parallel-scale", "2"), FLAT + "0,0,1"),
     (TILTED, ("--direction", "1,0,1"), FLAT + "-0.71,0,0.71"),
     (TUBE, AT_Z + ("--parallel-scale", "2"), FLAT),
@@ -100,6 +101,13 @@ class TestNothingSeen(CommandTest):
         done = self.run_command("mesh.obj", "-o", "picture.png", "--size", "40x30", *AT_Z)
         self.assertEqual(done.stderr.decode(), "lambent: warning: the picture shows nothing: the "
                          "normals of the mesh point away from the light; try --shading flat\n")
+
+    def test_a_strip_is_triangles(self):
+        self.write("strip.vtk", "# vtk DataFile Version 3.0\nstrip\nASCII\nDATASET POLYDATA\n"
+                   "POINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n")
+        done = self.run_command("strip.vtk", "-o", "picture.png", "--size", "40x30", "--direction",
+                                "1,0,0")
+        self.assertIn(FLAT + "0,0,1\n", done.stderr.decode())
 
     def test_quiet_says_nothing(self):
         for mesh, arguments, _ in CASES:
