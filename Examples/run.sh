@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and renders a mesh:
+# Installs what is missing, builds what the quick starts of the README take (the module, the command,
+# the Python package), and renders a mesh:
 #   sh Examples/run.sh [MESH] [options of the command lambent]
 # Without a MESH it is the seashell of Data/; without options too, the picture of the README. The
 # picture goes to build/, unless an option -o says otherwise.
@@ -13,7 +14,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
 need_build
 install_missing
 configure
-compile --target lambent
+compile --target lambent vtkLambentPython
 
 # --verbose tells where the picture is, its size, the triangles and the time of each stage.
 mesh="$root/Data/seashell.vtp"

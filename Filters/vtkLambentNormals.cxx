@@ -105,6 +105,23 @@ int vtkLambentNormals::RequestData(
 }
 
 //------------------------------------------------------------------------------
+// Once for as long as it holds, not each time that the filter executes.
+void vtkLambentNormals::WarnOfFlipping(vtkPolyData* input)
+{
+  const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
+  const bool isIdle =
+    this->FlipNormals && !this->ComputePointNormals && (hasNormals || !this->ComputeCellNormals);
+  if (isIdle && !this->HasWarnedOfFlipping)
+  {
+    vtkWarningMacro("FlipNormals turns the polygons round but no point normals, since "
+                    "ComputePointNormals is off"
+      << (hasNormals ? "; those of the input now point the other way" : "")
+      << ". Call ComputePointNormalsOn() or FlipNormalsOff().");
+  }
+  this->HasWarnedOfFlipping = isIdle;
+}
+
+//------------------------------------------------------------------------------
 void vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
 {
   const WatchedParallel parallel(this);
@@ -116,6 +133,7 @@ void vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
   {
     vtkWarningMacro(<< mesh.warning());
   }
+  this->WarnOfFlipping(input);
 
   if (this->Splitting || this->FlipNormals || (this->ComputeCellNormals && mesh.hasStrips()))
   {

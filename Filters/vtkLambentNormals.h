@@ -154,7 +154,9 @@ public:
   /**
    * Turn the surface inside out, as vtkPolyDataNormals does: computed normals point
    * the other way, and the points of each polygon run the other way round, so that
-   * front and back change places for culling too. Default: off.
+   * front and back change places for culling too. Point normals that are only passed
+   * on are not turned; so without ComputePointNormals it causes a warning, unless cell
+   * normals are computed and the input has no point normals. Default: off.
    */
   vtkSetMacro(FlipNormals, vtkTypeBool);
   vtkGetMacro(FlipNormals, vtkTypeBool);
@@ -180,6 +182,9 @@ private:
   void operator=(const vtkLambentNormals&) = delete;
 
   void Execute(vtkPolyData* input, vtkPolyData* output);
+  void WarnOfFlipping(vtkPolyData* input);
+
+  bool HasWarnedOfFlipping = false;
 };
 
 #endif

@@ -78,11 +78,10 @@ void FilterScene::addLights()
     if (light->GetSwitch())
     {
       scene.lights.push_back(lightFromVTK(light, scene.camera));
-      if (!isFinite(scene.lights.back()))
+      const std::string defect = describeDefect(scene.lights.back());
+      if (!defect.empty())
       {
-        throw std::runtime_error("Light " + std::to_string(index) +
-          " has a setting that is not a finite number. Check its position, focal point, "
-          "transform matrix, colour, intensity, cone angle, exponent and attenuation.");
+        throw std::runtime_error("Light " + std::to_string(index) + " " + defect);
       }
     }
     ++index;

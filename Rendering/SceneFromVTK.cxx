@@ -153,10 +153,21 @@ lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera)
   return result;
 }
 
-bool isFinite(const lambent::Light& light)
+std::string describeDefect(const lambent::Light& light)
 {
-  return isFinite(light.position) && isFinite(light.direction) && isFinite(light.color) &&
-    isFinite(light.attenuation) && std::isfinite(light.coneAngle) && std::isfinite(light.exponent);
+  const Vec3& attenuation = light.attenuation;
+  if (!isFinite(light.position) || !isFinite(light.direction) || !isFinite(light.color) ||
+    !isFinite(attenuation) || !std::isfinite(light.coneAngle) || !std::isfinite(light.exponent))
+  {
+    return "has a setting that is not a finite number. Check its position, focal point, "
+           "transform matrix, colour, intensity, cone angle, exponent and attenuation.";
+  }
+  if (light.positional && attenuation.x <= 0.0 && attenuation.y <= 0.0 && attenuation.z <= 0.0)
+  {
+    return "has no positive attenuation value, so that its light would be divided by zero or "
+           "less. Call vtkLight::SetAttenuationValues(1, 0, 0) for light that does not fade.";
+  }
+  return "";
 }
 
 lambent::Light headlight(const lambent::Camera& camera)

@@ -33,8 +33,8 @@ std::string describeDefect(const lambent::Camera& camera);
 /// A light as seen with a camera. Headlights and camera lights move with it.
 lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera);
 
-/// False if a setting of the light is not a finite number.
-bool isFinite(const lambent::Light& light);
+/// What is wrong with a light, and the remedy, to follow its name; empty if nothing.
+std::string describeDefect(const lambent::Light& light);
 
 /// The white headlight of a scene without lights.
 lambent::Light headlight(const lambent::Camera& camera);

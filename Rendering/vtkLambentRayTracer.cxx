@@ -5,7 +5,10 @@
 #include "CameraFrame.h"
 #include "Chunks.h"
 #include "FilterScene.h"
+#include "IdleSettings.h"
 #include "ImageContract.h"
+#include "InputSettings.h"
+#include "NewMessages.h"
 #include "OutputImage.h"
 #include "Render.h"
 #include "SceneFromVTK.h"
@@ -25,7 +28,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <map>
 #include <new>
 #include <stdexcept>
 
@@ -38,7 +40,8 @@ constexpr double normalsShare = 0.3;
 struct vtkLambentRayTracer::Internals
 {
   vtkNew<vtkLightCollection> Lights;
-  std::map<int, vtkSmartPointer<vtkProperty>> InputProperties;
+  InputSettings Inputs;
+  NewMessages Warnings;
 };
 
 vtkStandardNewMacro(vtkLambentRayTracer);
@@ -145,21 +148,32 @@ void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property
       << connection << "; connections are counted from 0 in the order they were added.");
     return;
   }
-  if (property)
-  {
-    this->Internal->InputProperties[connection] = property;
-  }
-  else
-  {
-    this->Internal->InputProperties.erase(connection);
-  }
+  this->Internal->Inputs.setProperty(connection, property);
   this->Modified();
 }
 
 vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
 {
-  const auto own = this->Internal->InputProperties.find(connection);
-  return own == this->Internal->InputProperties.end() ? nullptr : own->second.Get();
+  return this->Internal->Inputs.property(connection);
+}
+
+// What is set for a connection stays with it.
+void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  this->Internal->Inputs.followReplacement(
+    this, [&]() { this->Superclass::SetInputConnection(port, input); });
+}
+
+void vtkLambentRayTracer::RemoveInputConnection(int port, vtkAlgorithmOutput* input)
+{
+  this->Internal->Inputs.follow(
+    this, [&]() { this->Superclass::RemoveInputConnection(port, input); });
+}
+
+void vtkLambentRayTracer::RemoveInputConnection(int port, int idx)
+{
+  this->Internal->Inputs.follow(
+    this, [&]() { this->Superclass::RemoveInputConnection(port, idx); }, idx);
 }
 
 void vtkLambentRayTracer::SetOutputScalarType(int type)
@@ -195,9 +209,9 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
   };
   cover(this->Camera);
   cover(this->Property);
-  for (const auto& own : this->Internal->InputProperties)
+  for (const auto& own : this->Internal->Inputs.all())
   {
-    cover(own.second);
+    cover(own.second.Property);
   }
   cover(this->Internal->Lights);
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -296,10 +310,9 @@ void vtkLambentRayTracer::MakePicture(
   {
     meshes.push_back(vtkPolyData::GetData(inputs, k));
   }
-  if (this->Camera && !unsupportedSettings(this->Camera).empty())
+  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(this)))
   {
-    vtkWarningMacro("The camera has settings that are not supported and are ignored: "
-      << unsupportedSettings(this->Camera) << ".");
+    vtkWarningMacro(<< warning);
   }
   const WatchedParallel parallel(this);
   parallel.checkAbort(); // a StartEvent observer may already have aborted
@@ -364,9 +377,9 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   printObject("Camera", this->Camera);
   printObject("Lights", this->Internal->Lights);
   printObject("Property", this->Property);
-  for (const auto& own : this->Internal->InputProperties)
+  for (const auto& own : this->Internal->Inputs.all())
   {
-    printObject("InputProperty " + std::to_string(own.first), own.second);
+    printObject("InputProperty " + std::to_string(own.first), own.second.Property);
   }
   os << indent << "AmbientModel: " << (this->AmbientModel == SCENE ? "Scene" : "PerLight") << "\n";
   printSwitch("TwoSidedLighting", this->TwoSidedLighting);

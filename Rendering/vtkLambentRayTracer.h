@@ -57,10 +57,11 @@
  * Of vtkCamera the position, focal point, view up, view angle (vertical or
  * horizontal), parallel projection and scale, and window centre are used. The
  * clipping range is ignored; user transforms, off-axis projection, view shear
- * and explicit projection matrices are not supported and bring a warning. Of
- * vtkProperty the diffuse and ambient colours and coefficients, Interpolation,
- * Lighting, FrontfaceCulling and BackfaceCulling are used; opacity, specular
- * terms, textures and edges are not. Shading multiplies up to six lengths, so
+ * and explicit projection matrices are not supported. Of vtkProperty the diffuse
+ * and ambient colours and coefficients, Interpolation, Lighting, FrontfaceCulling
+ * and BackfaceCulling are used; wireframe, points, opacity, specular terms,
+ * textures and edges are not. Settings that have no effect cause a warning, once
+ * for as long as they stay. Shading multiplies up to six lengths, so
  * coordinates and distances must lie between about 1e-50 and 1e50.
  *
  * @par Thanks:
@@ -131,6 +132,8 @@ public:
    * transform matrix, and for positional lights cone angle, exponent and
    * attenuation. They are shared with the caller and never modified by
    * Update(). Default: none; then a white headlight along the view direction.
+   * A positional light whose three attenuation values are all 0 or less is an
+   * error; a light that is aimed at its own position causes a warning.
    *
    * @warning A positional vtkLight has a cone angle of 30 degrees by default
    * and is then a spot light; 90 or more make it shine in all directions.
@@ -158,10 +161,26 @@ public:
   /**
    * The surface property of one input connection of port 0, counted from 0 in
    * the order of AddInputConnection(); nullptr takes it back, then the property
-   * of SetProperty() holds. A negative connection is an error. Default: none.
+   * of SetProperty() holds. It stays with its connection: when that is removed, it is
+   * dropped, and those of later connections move up with them. When all connections are
+   * replaced at once (SetInputConnection(), SetInputData()) or removed, properties stay with
+   * their numbers. A negative connection is an error. Default: none.
    */
   virtual void SetInputProperty(int connection, vtkProperty* property);
   vtkProperty* GetInputProperty(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * As vtkAlgorithm's; the properties of SetInputProperty() follow.
+   */
+  void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
+  void SetInputConnection(vtkAlgorithmOutput* input) override
+  {
+    this->SetInputConnection(0, input);
+  }
+  void RemoveInputConnection(int port, vtkAlgorithmOutput* input) override;
+  void RemoveInputConnection(int port, int idx) override;
   ///@}
 
   enum AmbientModelType

@@ -71,7 +71,7 @@ void AddCamera(CLI::App& app, Options& options)
   AddValue(app, "--view-up", "X,Y,Z", options.viewUp, ParseDirection,
     "what is up [0,1,0; looking along y 0,0,1]");
   AddValue(app, "--direction", "X,Y,Z", options.direction, ParseDirection,
-    "the side from which it looks, all in view [0,0,1]")
+    "the side from which it looks, all in view [2,1.5,4: from the front, right, above]")
     ->excludes(position);
   CLI::Option* viewAngle = AddValue(app, "--view-angle", "DEG", options.viewAngle, angle,
     "opening of the view across the height [30]");

@@ -21,6 +21,13 @@
 namespace lambent::command
 {
 
+/// The side from which the camera looks if nothing else is said: from the front, the right, and
+/// above.
+constexpr Triple DefaultDirection{ 2, 1.5, 4 };
+
+/// The same before version 2 of the image contract, for pictures that do not name it.
+constexpr Triple FormerDirection{ 0, 0, 1 };
+
 enum class Shading
 {
   Smooth,

@@ -14,7 +14,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <set>
@@ -41,6 +43,13 @@ std::string Quoted(const std::string& word)
   return isPlain ? word : quoted + "'";
 }
 
+std::string TextOf(const Triple& direction)
+{
+  char text[100];
+  std::snprintf(text, sizeof(text), "%g,%g,%g", direction[0], direction[1], direction[2]);
+  return text;
+}
+
 /// The texts in a PNG file.
 std::map<std::string, std::string> ReadTexts(const std::string& path, VtkMessages& messages)
 {
@@ -62,10 +71,21 @@ std::map<std::string, std::string> ReadTexts(const std::string& path, VtkMessage
   return texts;
 }
 
+bool NamesTheView(const std::vector<std::string>& words)
+{
+  return std::any_of(words.begin(), words.end(),
+    [](const std::string& word)
+    { return word.rfind("--direction", 0) == 0 || word.rfind("--camera-position", 0) == 0; });
+}
+
 /// The options of a command that came with a picture.
 Options ParseRecipe(const std::string& command)
 {
   std::vector<std::string> words = SplitWords(command);
+  if (!NamesTheView(words)) // an older version drew it
+  {
+    words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
+  }
   words.insert(words.end(), { "-o", "-" }); // the parser wants to know where to
   std::vector<const char*> argv;
   for (const std::string& word : words)
@@ -99,6 +119,10 @@ std::string MakeRecipe(const CLI::App& app, const Options& options)
     if (option->count() > 0 && notOfTheScene.count(full) == 0)
     {
       recipe += " " + full + " " + Quoted(option->results().back());
+    }
+    else if (full == "--direction" && !options.direction && !options.cameraPosition)
+    {
+      recipe += " " + full + " " + TextOf(DefaultDirection);
     }
   }
   for (const LightValue& light : options.lights)

@@ -6,7 +6,9 @@
  *
  * Two texts: the version of the image contract, and the command that draws the picture
  * again. The command has the inputs and the options about the scene as they were
- * typed, in a fixed order and quoted for the shell; nothing about when, where or by whom.
+ * typed, in a fixed order and quoted for the shell, and the side from which it was drawn
+ * even if it was not said, since its default has changed once: a command that names none is of
+ * an older version (FormerDirection). It has nothing about when, where or by whom.
  * So a picture that is drawn again from its text is the same file.
  */
 

@@ -93,7 +93,7 @@ Triple FocalPoint(vtkCamera* camera)
 void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
 {
   vtkCamera* const camera = tracer->GetCamera();
-  const Triple side = UnitVector(options.direction.value_or(Triple{ 0, 0, 1 }));
+  const Triple side = UnitVector(options.direction.value_or(DefaultDirection));
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(side.data());
   tracer->ResetCamera();

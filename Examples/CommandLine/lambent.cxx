@@ -8,6 +8,7 @@
 #include "CheckPolygons.h"
 #include "Compare.h"
 #include "Messages.h"
+#include "NothingSeen.h"
 #include "Options.h"
 #include "Progress.h"
 #include "ReadPicture.h"
@@ -86,6 +87,18 @@ void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
   tracer->AddObserver(vtkCommand::ProgressEvent, observer);
 }
 
+void WarnIfNothingIsSeen(
+  const Options& options, const Meshes& meshes, vtkImageData* picture, VtkMessages& messages)
+{
+  const std::string reason =
+    options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  if (!reason.empty())
+  {
+    messages.DropWarnings(); // of having drawn it again
+    Say("warning: " + reason);
+  }
+}
+
 Drawing Render(const Options& options, const Meshes& meshes, VtkMessages& messages,
   Progress& progress, Stopwatch& stopwatch)
 {
@@ -103,6 +116,7 @@ Drawing Render(const Options& options, const Meshes& meshes, VtkMessages& messag
   progress.Erase();
   messages.FlushWarnings("");
   vtkImageData* const picture = tracer->GetOutput();
+  WarnIfNothingIsSeen(options, meshes, picture, messages);
   return { picture, { TakeIds(picture, "CellIds"), TakeIds(picture, "InputIds") } };
 }
 

@@ -2,116 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulation.h"
 
+#include "Polygon.h"
+#include "TouchingPolygon.h"
+
 namespace lambent
 {
 namespace
 {
 constexpr std::size_t cellsPerChunk = 1024;
-
-/// Corners of one cell are written from here on.
-using Out = std::int32_t*;
-
-void put(Out& out, std::int32_t a, std::int32_t b, std::int32_t c)
-{
-  *out++ = a;
-  *out++ = b;
-  *out++ = c;
-}
-
-/// Twice the signed area that the corner a b c has, seen against the normal.
-double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal)
-{
-  return dot(cross(b - a, c - b), normal);
-}
-
-/// What is left of a polygon while its ears are cut off.
-struct Polygon
-{
-  std::vector<std::int32_t> ids;
-  std::vector<Vec3> points;
-  Vec3 normal{ 0.0 };
-
-  std::size_t size() const { return this->ids.size(); }
-  std::size_t next(std::size_t k) const { return k + 1 == this->size() ? 0 : k + 1; }
-  std::size_t previous(std::size_t k) const { return k == 0 ? this->size() - 1 : k - 1; }
-
-  void findNormal()
-  {
-    this->normal = Vec3(0.0);
-    for (std::size_t k = 0; k < this->size(); ++k)
-    {
-      this->normal = this->normal +
-        cross(this->points[k] - this->points[0], this->points[this->next(k)] - this->points[0]);
-    }
-  }
-
-  double turnAt(std::size_t k) const
-  {
-    return turn(
-      this->points[this->previous(k)], this->points[k], this->points[this->next(k)], this->normal);
-  }
-
-  bool isConvex() const
-  {
-    for (std::size_t k = 0; k < this->size(); ++k)
-    {
-      if (this->turnAt(k) < 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  bool isEar(std::size_t k) const
-  {
-    if (!(this->turnAt(k) > 0.0))
-    {
-      return false;
-    }
-    const Vec3& a = this->points[this->previous(k)];
-    const Vec3& b = this->points[k];
-    const Vec3& c = this->points[this->next(k)];
-    for (std::size_t other = this->next(this->next(k)); other != this->previous(k);
-         other = this->next(other))
-    {
-      const Vec3& p = this->points[other];
-      if (p != a && p != b && p != c && turn(a, b, p, this->normal) >= 0.0 &&
-        turn(b, c, p, this->normal) >= 0.0 && turn(c, a, p, this->normal) >= 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  void cutEars(Out& out)
-  {
-    std::size_t k = 0;
-    for (std::size_t tried = 0; this->size() > 3 && tried < this->size(); ++tried)
-    {
-      if (!this->isEar(k))
-      {
-        k = this->next(k);
-        continue;
-      }
-      put(out, this->ids[this->previous(k)], this->ids[k], this->ids[this->next(k)]);
-      this->ids.erase(this->ids.begin() + static_cast<std::ptrdiff_t>(k));
-      this->points.erase(this->points.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;
-      tried = 0;
-    }
-    this->fan(out);
-  }
-
-  void fan(Out& out) const
-  {
-    for (std::size_t k = 2; k < this->size(); ++k)
-    {
-      put(out, this->ids[0], this->ids[k - 1], this->ids[k]);
-    }
-  }
-};
 
 bool isFinite(const Vec3& p)
 {
@@ -135,7 +33,7 @@ public:
     return size < 3 ? 0 : size - 2;
   }
 
-  void cut(std::size_t cell, Out& out)
+  void cut(std::size_t cell, std::int32_t*& out)
   {
     const std::size_t count = this->triangleCount(cell);
     std::int32_t bad = -1;
@@ -147,7 +45,7 @@ public:
     {
       for (std::size_t k = 0; k < count; ++k)
       {
-        put(out, bad, bad, bad);
+        putTriangle(out, bad, bad, bad);
       }
     }
     else if (this->Kind == CellKind::Strips)
@@ -155,7 +53,7 @@ public:
       for (std::size_t k = 0; k < count; ++k)
       {
         const std::int32_t* p = &this->Shape.ids[k];
-        put(out, p[k % 2], p[1 - k % 2], p[2]);
+        putTriangle(out, p[k % 2], p[1 - k % 2], p[2]);
       }
     }
     else if (count == 1)
@@ -164,12 +62,64 @@ public:
     }
     else
     {
-      this->Shape.findNormal();
-      this->Shape.isConvex() ? this->Shape.fan(out) : this->Shape.cutEars(out);
+      this->cutPolygon(this->Cells.offsets[cell], count + 2, out);
     }
   }
 
 private:
+  void cutPolygon(std::size_t begin, std::size_t size, std::int32_t*& out)
+  {
+    std::int32_t* const first = out;
+    this->Shape.findNormal();
+    const bool isConcave = this->Shape.isConcave();
+    if (isConcave)
+    {
+      this->Shape.cutEars(out);
+    }
+    // Both triangles of a fan of four are corners of it, which are known to turn its way.
+    const double turned = isConcave || size > 4 ? this->Shape.turnedArea() : 0.0;
+    const bool isWrong = !this->Shape.isRounding(turned, this->resolution());
+    this->Shape.fan(out);
+    if (isWrong)
+    {
+      this->mend(begin, size, turned, first);
+    }
+  }
+
+  /// Of the coordinates, relative to the largest.
+  double resolution() const { return this->Points.isDouble ? 0x1p-50 : 0x1p-22; }
+
+  /// Cut a polygon as one that touches itself, if it is one. First as if its coordinates
+  /// were exact, then as if rounded to the digits that they have.
+  void mend(std::size_t begin, std::size_t size, double turned, std::int32_t* out)
+  {
+    std::int32_t bad;
+    this->load(begin, size, bad);
+    this->Shape.findNormal();
+    const double largest = this->Shape.largestCoordinate();
+    for (const double tolerance : { 0.0, 0x1p-50, this->resolution() })
+    {
+      if (cutTouchingPolygon(
+            this->Shape.points, this->Shape.normal, tolerance * largest, this->Mended) &&
+        this->mendedTurnedArea() < 0.5 * turned)
+      {
+        std::transform(this->Mended.begin(), this->Mended.end(), out,
+          [this](std::size_t corner) { return this->Shape.ids[corner]; });
+        return;
+      }
+    }
+  }
+
+  double mendedTurnedArea() const
+  {
+    double area = 0.0;
+    for (std::size_t k = 0; k < this->Mended.size(); k += 3)
+    {
+      area += this->Shape.turnedArea(this->Mended[k], this->Mended[k + 1], this->Mended[k + 2]);
+    }
+    return area;
+  }
+
   /// False if a point is wrong (-1) or not finite.
   bool load(std::size_t begin, std::size_t size, std::int32_t& bad)
   {
@@ -199,6 +149,7 @@ private:
   CellKind Kind;
   const TupleSpan& Points;
   Polygon Shape;
+  std::vector<std::size_t> Mended;
 };
 }
 
@@ -234,7 +185,7 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   forEach(parallel, 0, chunks,
     [&](int worker, std::size_t chunk)
     {
-      Out out = list.corners.data() + 3 * first[chunk];
+      std::int32_t* out = list.corners.data() + 3 * first[chunk];
       auto cellOut = list.cells.begin() + static_cast<std::ptrdiff_t>(first[chunk]);
       for (std::size_t cell = chunk * cellsPerChunk; cell < endOf(chunk); ++cell)
       {

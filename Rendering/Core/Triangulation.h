@@ -4,11 +4,14 @@
  * @file
  * @brief polygons and strips as triangles
  *
- * - A convex polygon is a fan from its first point.
+ * - A polygon without a concave corner is a fan from its first point.
  * - Another one is cut by ear clipping in the plane of its Newell normal: of the
  *   corners that are convex and whose triangle holds no other point the first one
- *   is cut off, until three points are left. A polygon without such a corner (it
- *   crosses itself) ends as a fan.
+ *   is cut off, until three points are left, or none of those left is an ear; these
+ *   become a fan.
+ * - Where triangles of that fan are turned the other way, by more than rounding, the
+ *   outline touches itself or crosses itself. If it touches itself, it is cut once more
+ *   by the rules of TouchingPolygon.h; if it crosses itself, it stays as it was cut.
  * - A strip alternates, so that all of its triangles face the way of the first.
  *
  * A polygon of n points gives n - 2 triangles whatever its shape, so that each

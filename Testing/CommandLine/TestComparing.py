@@ -260,7 +260,7 @@ class TestDrawing(CompareTest):
     """Draws and compares in one go. The square fills the view, two triangles, cut from lower left to
     upper right."""
 
-    SQUARE_VIEW = ("square.obj", "--parallel-scale", "1")
+    SQUARE_VIEW = ("square.obj", "--direction", "0,0,1", "--parallel-scale", "1")
 
     def setUp(self):
         super().setUp()
@@ -296,7 +296,7 @@ class TestDrawing(CompareTest):
         self.assertIn("<tr><td>square.obj</td><td>1</td><td>3</td><td>(0, 6)</td></tr>\n"
                       "<tr><td>square.obj</td><td>0</td><td>2</td><td>(6, 0)</td></tr>",
                       self.read("r.html").decode())  # the cell of the most pixels first
-        lines = self.compare(1, "square.obj", "tetrahedron.obj", "--parallel-scale", "1",
+        lines = self.compare(1, *self.SQUARE_VIEW, "tetrahedron.obj",
                              "--focal-point", "0,0,0", "--compare", "b.png")
         self.assertEqual(  # of the tetrahedron all but the base
             lines[1], "the changed pixels show cells 0-1 of 'square.obj' and cells 1-3 of "

@@ -68,7 +68,8 @@ class TestRecreating(CommandTest):
                                "direction=0,0,-1;color=red"))
         self.assertEqual(text, {
             CONTRACT: "2",
-            COMMAND_KEY: "lambent square.obj 'it'\\''s a tetrahedron, é.obj' --color 0.5,0.5,1 "
+            COMMAND_KEY: "lambent square.obj 'it'\\''s a tetrahedron, é.obj' --direction 2,1.5,4 "
+                         "--color 0.5,0.5,1 "
                          "--light 'direction=0,0,-1;color=red' --size 16x9"})
 
     def test_contract_is_the_current_one(self):
@@ -90,6 +91,29 @@ class TestRecreating(CommandTest):
         subprocess.run(["sh", "again.sh"], cwd=self.folder, check=True,
                        env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
         self.assertEqual(self.read("b.png"), drawn)
+
+    # The default was another one when the command was not yet written with it.
+    def test_a_picture_that_does_not_name_its_view_is_seen_from_plus_z(self):
+        for more in ("", " --parallel-scale 1.5 --focal-point 0.5,0,0"):
+            drawn = self.draw("--size", "30x20", "--direction", "0,0,1", *more.split())
+            command = texts(drawn)[COMMAND_KEY].replace(" --direction 0,0,1", "")
+            self.assertNotIn("direction", command)
+            self.write("a.png", with_text(with_text(drawn, COMMAND_KEY, command), CONTRACT, "1"))
+            done = self.run_command("--recreate", "a.png")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(b"all of 600 pixels are the same", done.stdout)
+            # From now on it does; so it is the file that was drawn in the beginning.
+            self.succeed("--recreate", "a.png", "-o", "b.png", "--quiet")
+            self.assertEqual(self.read("b.png"), drawn)
+
+    def test_the_view_is_named_in_every_picture(self):
+        for arguments, view in (((), "--direction 2,1.5,4"),
+                                (("--focal-point", "1,0,0"), "--direction 2,1.5,4"),
+                                (("--direction", "0,2,1"), "--direction 0,2,1"),
+                                (("--camera-position", "1,2,9"), "--camera-position 1,2,9")):
+            command = texts(self.draw("--size", "9x9", *arguments))[COMMAND_KEY]
+            self.assertIn(view, command)
+            self.assertEqual(command.count("--direction") + command.count("--camera-position"), 1)
 
     def test_without_output_it_compares(self):
         self.draw("--size", "20x20", "--parallel-scale", "2")

@@ -28,6 +28,8 @@ class TestCamera(CommandTest):
 
     def covered(self, *arguments):
         """Which of the columns and rows show the square, unlit so that every hit is white."""
+        if "--camera-position" not in arguments:
+            arguments += ("--direction", "0,0,1")
         rows = self.pixels("square.obj", "--shading", "unlit", *arguments)
         self.assertLessEqual({pixel for row in rows for pixel in row}, {WHITE, BLACK})
         columns = [i for i in range(9) if any(row[i] == WHITE for row in rows)]
@@ -57,10 +59,11 @@ class TestCamera(CommandTest):
                                       "--zoom", "2"),
                          self.picture("--camera-position", "1,2,9", "--view-angle", "20"))
 
-    def test_default_is_from_plus_z(self):
-        self.assertEqual(self.picture(), self.picture("--direction", "0,0,1"))
-        self.assertEqual(self.picture("--direction", "0,0,5"), self.picture())
-        self.assertNotEqual(self.picture("--direction", "0,0,-1"), self.picture())
+    def test_default_is_from_the_front_the_right_and_above(self):
+        self.assertEqual(self.picture(), self.picture("--direction", "2,1.5,4"))
+        self.assertEqual(self.picture("--direction", "4,3,8"), self.picture())
+        self.assertNotEqual(self.picture("--direction", "0,0,1"), self.picture())
+        self.assertEqual(self.picture("--direction", "0,0,5"), self.picture("--direction", "0,0,1"))
 
     def test_default_frames_the_bounding_sphere(self):
         # Radius sqrt(2), so the distance is sqrt(2) / sin(15 degrees).
@@ -85,13 +88,14 @@ class TestCamera(CommandTest):
                     self.assertIn(255, body)
 
     def test_view_up(self):
-        self.assertEqual(self.picture("--direction", "0,0,1", "--view-up", "0,1,0"), self.picture())
+        self.assertEqual(self.picture("--view-up", "0,1,0"), self.picture())
         self.assertEqual(self.picture("--direction", "0,1,0"),
                          self.picture("--direction", "0,1,0", "--view-up", "0,0,1"))
         self.assertNotEqual(self.picture("--view-up", "1,0,0"), self.picture())
 
     def test_view_up_along_the_view(self):
-        line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--view-up", "0,0,1")
+        line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--view-up", "0,0,1",
+                              "--direction", "0,0,1")
         self.assertIn("cannot render: ", line)
 
     def test_an_eye_at_the_focal_point(self):
@@ -132,8 +136,8 @@ class TestLight(CommandTest):
         # the right falls straight on the left side and along the right one.
         points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
         self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
-        row = self.pixels("ridge.obj", "--parallel-scale", "0.9", "--shading", "flat",
-                          "--light", "direction=1,0,-1")[4]
+        row = self.pixels("ridge.obj", "--direction", "0,0,1", "--parallel-scale", "0.9",
+                          "--shading", "flat", "--light", "direction=1,0,-1")[4]
         self.assertEqual(row[:4] + row[5:], [WHITE] * 4 + [BLACK] * 4)
 
     def test_position(self):
@@ -209,7 +213,8 @@ class TestSurface(CommandTest):
         # smooth, the ridge itself has a normal along z. It is an edge of 90 degrees.
         points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
         self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
-        view = ("ridge.obj", "--parallel-scale", "0.9", "--light", "direction=0,0,-1")
+        view = ("ridge.obj", "--direction", "0,0,1", "--parallel-scale", "0.9",
+                "--light", "direction=0,0,-1")
         side = (byte(math.sqrt(0.5)),) * 3
         self.assertEqual(self.pixels(*view, "--shading", "flat")[4], [side] * 9)
         self.assertEqual(self.pixels(*view)[4], [side] * 9)

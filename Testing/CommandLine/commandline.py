@@ -69,7 +69,7 @@ class CommandTest(unittest.TestCase):
 
     def pixels(self, *arguments):
         """Draws at 9 x 9 and returns rows of (r, g, b), the top row first."""
-        self.succeed(*arguments, "-o", "pixels.pnm", "--size", "9x9")
+        self.succeed(*arguments, "-o", "pixels.pnm", "--size", "9x9", "--quiet")
         return read_pnm(self.read("pixels.pnm"))
 
     def center(self, *arguments):

@@ -42,7 +42,8 @@ def setters(header):
     """The names of the public methods of a class that change what it makes."""
     public = read(header).split("\npublic:\n")[1].split("\nprotected:\n")[0]
     macros = re.findall(r"vtkSet(?:Vector\d|Clamp|)Macro\((\w+),", public)
-    methods = re.findall(r"^  (?:virtual )?void ((?:Set|Add|Remove|Reset)\w+)\(", public, re.MULTILINE)
+    methods = re.findall(r"^  (?:virtual )?void ((?:Set|Add|Remove|Reset)\w+)\((?!.*override)", public,
+                         re.MULTILINE)
     return {"Set" + name for name in macros} | set(methods)
 
 
@@ -58,6 +59,10 @@ class Readme(unittest.TestCase):
                           "Examples/Python/test_pictures.py"})
         for _, path, body, _ in quotes:
             self.assertEqual(body, example(path), path)
+
+    def test_the_first_command_builds_what_the_quick_starts_take(self):
+        built = re.search("^compile --target (.*)$", read("Examples/run.sh"), re.MULTILINE).group(1)
+        self.assertEqual(set(built.split()), {"lambent", "vtkLambentPython"})
 
     def test_every_block_of_code_is_quoted(self):
         self.assertEqual(len(re.findall(r"^```\w", self.text, re.MULTILINE)),

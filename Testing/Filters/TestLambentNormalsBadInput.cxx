@@ -291,6 +291,36 @@ TEST(LambentNormalsBadInput, StripsWithoutATriangle)
   EXPECT_TRUE(messages.errors.empty());
 }
 
+// Flipping turns computed normals; it is told once where there are none to turn.
+TEST(LambentNormalsBadInput, FlippingWithoutComputingPointNormals)
+{
+  const auto warningsOf = [](bool hasNormals, bool computesPoints, bool computesCells)
+  {
+    vtkSmartPointer<vtkPolyData> cube = makeCube();
+    vtkNew<vtkLambentNormals> first, normals;
+    first->SetInputData(cube);
+    first->SetComputePointNormals(hasNormals);
+    normals->SetInputConnection(first->GetOutputPort());
+    normals->FlipNormalsOn();
+    normals->SetComputePointNormals(computesPoints);
+    normals->SetComputeCellNormals(computesCells);
+    const Messages messages(normals);
+    for (int k = 0; k < 3; ++k)
+    {
+      cube->Modified();
+      normals->Update();
+    }
+    EXPECT_TRUE(messages.errors.empty());
+    return messages.warnings;
+  };
+  expectParts(warningsOf(true, false, false),
+    { "FlipNormals", "those of the input", "ComputePointNormalsOn()", "FlipNormalsOff()" });
+  expectParts(warningsOf(true, false, true), { "FlipNormals", "ComputePointNormalsOn()" });
+  expectParts(warningsOf(false, false, false), { "FlipNormals", "ComputePointNormalsOn()" });
+  EXPECT_TRUE(warningsOf(false, false, true).empty());
+  EXPECT_TRUE(warningsOf(true, true, false).empty());
+}
+
 TEST(LambentNormalsBadInput, NothingGivesNothing)
 {
   for (bool everything : { false, true })

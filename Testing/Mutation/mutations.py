@@ -26,6 +26,7 @@ SHADING_KERNEL = "Rendering/Core/ShadingKernel.cxx"
 PAINTING = "Rendering/Core/Painting.cxx"
 SHADE_BATCH = "Rendering/Core/ShadeBatch.h"
 TRIANGULATION = "Rendering/Core/Triangulation.cxx"
+TOUCHING = "Rendering/Core/TouchingPolygon.cxx"
 NORMAL = "Filters/Core/NormalContribution.h"
 NORMAL_KERNEL = "Filters/Core/NormalKernel.cxx"
 ANGLES = "Filters/Core/CornerAngles.h"
@@ -183,8 +184,13 @@ MUTATIONS = [
     # Polygons and strips.
     (TRIANGULATION, "put(out, p[k % 2], p[1 - k % 2], p[2])", "put(out, p[0], p[1], p[2])",
      "strips alternate"),
-    (TRIANGULATION, "this->Shape.isConvex() ? this->Shape.fan(out) : this->Shape.cutEars(out)",
-     "this->Shape.fan(out)", "concave polygons are cut by their ears"),
+    (TRIANGULATION, "const bool isConcave = this->Shape.isConcave();",
+     "const bool isConcave = false;", "concave polygons are cut by their ears"),
+    (TRIANGULATION, "isConcave || size > 4 ?", "isConcave ?", "doubled corners hide concave ones"),
+    (TRIANGULATION, "this->mendedTurnedArea() < 0.5 * turned", "true",
+     "what is no better is not changed"),
+    (TOUCHING, "return isOnNewEdge || this->leadsInto(a, b, c, p);", "return false;",
+     "an ear has no corner in it"),
     # Normals.
     (NORMAL, "const Vec3 area = cross(ab, ac);", "const Vec3 area = cross(ac, ab);",
      "normals follow the right-hand rule"),

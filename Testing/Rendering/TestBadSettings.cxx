@@ -202,6 +202,37 @@ TEST(BadSettings, LightThatIsNotFinite)
   }
 }
 
+// The light would be divided by nothing: NaN, or brighter than any number.
+TEST(BadSettings, LightWithoutAPositiveAttenuation)
+{
+  for (const Vec& values : { Vec(0.0), Vec(0.0, -1.0, 0.0), Vec(-1.0, -0.5, -2.0) })
+  {
+    auto good = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 }, Vec(1.0), true);
+    auto bad = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 }, Vec(1.0), true);
+    bad->SetAttenuationValues(values.x, values.y, values.z);
+    expectError(
+      [&](Studio& s)
+      {
+        s.tracer->AddLight(good);
+        s.tracer->AddLight(bad);
+      },
+      { "Light 1 ", "no positive attenuation value", "SetAttenuationValues(1, 0, 0)" },
+      [](Studio& s) { s.tracer->RemoveAllLights(); });
+  }
+  // It is of no matter to a light infinitely far away, nor that one of them is 0.
+  auto far = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
+  far->SetAttenuationValues(0.0, 0.0, 0.0);
+  auto near = makeLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, 0.0 }, Vec(1.0), true);
+  near->SetAttenuationValues(0.0, 0.0, 0.25);
+  Studio studio;
+  const Messages messages(studio.tracer);
+  studio.tracer->SetInputData(makeSquare());
+  studio.tracer->AddLight(far);
+  studio.tracer->AddLight(near);
+  EXPECT_GT(render(studio.tracer).at(16, 12).x, 1.2);
+  EXPECT_TRUE(messages.errors().empty());
+}
+
 TEST(BadSettings, PropertyThatIsNotFinite)
 {
   const std::vector<std::function<void(vtkProperty*)>> changes{

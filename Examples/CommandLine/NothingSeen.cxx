@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "NothingSeen.h"
+#include "EmptyView.h"
+#include "Scene.h"
+
+#include "vtkLambentRayTracer.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace lambent::command
+{
+namespace
+{
+
+using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
+using Pixel = std::array<unsigned char, 3>;
+
+constexpr Pixel Black{ 0, 0, 0 };
+
+Pixel BytesOf(const Triple& color)
+{
+  Pixel bytes;
+  std::transform(color.begin(), color.end(), bytes.begin(),
+    [](double c) { return static_cast<unsigned char>(255 * std::clamp(c, 0.0, 1.0) + 0.5); });
+  return bytes;
+}
+
+/// True if each pixel of a picture of bytes has one of two colours. Begins in the middle, where
+/// a picture that shows something mostly does.
+bool HasOnly(vtkImageData* picture, const Pixel& one, const Pixel& other)
+{
+  auto* const colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const vtkIdType count = colors ? colors->GetNumberOfTuples() : 0;
+  const unsigned char* const first = count > 0 ? colors->GetPointer(0) : nullptr;
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const unsigned char* const p = first + 3 * ((k + count / 2) % count);
+    if (!std::equal(one.begin(), one.end(), p) && !std::equal(other.begin(), other.end(), p))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsBlack(const Triple& color)
+{
+  return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
+}
+
+/// True if the scene, drawn so and before a black background, is all black.
+bool IsAllBlack(Options options, const Meshes& meshes)
+{
+  options.background = { 0, 0, 0 };
+  const auto tracer = MakeScene(options, meshes);
+  tracer->Update();
+  return HasOnly(tracer->GetOutput(), Black, Black);
+}
+
+/// True if a pixel shows a face, of whatever colour.
+bool IsAnythingHit(Options options, const Meshes& meshes)
+{
+  options.shading = Shading::Unlit;
+  options.color = { 1, 1, 1 };
+  return !IsAllBlack(options, meshes);
+}
+
+/// An experiment: what is changed in the scene, and what is the matter if that makes it light.
+struct Experiment
+{
+  std::function<void(Options&, LightValue&)> change;
+  const char* reason;
+};
+
+/// In this order; each goes on from those before it.
+const std::vector<Experiment>& Experiments()
+{
+  static const std::vector<Experiment> experiments{
+    { [](Options&, LightValue& light) { light.cone = 180; },
+      "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+      "--light" },
+    { [](Options&, LightValue& light) {
+       light.attenuation = { 1, 0, 0 };
+     },
+      "the lights are too far away for their attenuation; try a smaller one in --light" },
+    { [](Options&, LightValue& light) { light.intensity = 1e6; },
+      "the light in it is too weak to show; try a larger intensity in --light" },
+    { [](Options&, LightValue& light) { light.kind = LightValue::Kind::Headlight; },
+      "the lights shine on the faces from behind; try --headlight or --ambient 0.2" },
+    { [](Options&, LightValue& light) {
+       light.color = { 1, 1, 1 };
+     },
+      "the light in it has none of the colours that the faces reflect; try another --color, or "
+      "another color in --light" },
+    { [](Options& options, LightValue&) { options.shading = Shading::Flat; },
+      "the normals of the mesh point away from the light; try --shading flat" },
+  };
+  return experiments;
+}
+
+std::string WhyAllIsBlack(Options options, const Meshes& meshes)
+{
+  const bool reflectsDiffuse = options.diffuse > 0 && !IsBlack(options.color);
+  const bool reflectsAmbient =
+    options.ambient > 0 && !IsBlack(options.ambientColor.value_or(options.color));
+  if (options.shading == Shading::Unlit || (!reflectsDiffuse && !reflectsAmbient))
+  {
+    return "all faces in it are black; try another --color, --diffuse or --ambient";
+  }
+  if (options.lights.empty())
+  {
+    options.lights.emplace_back(); // the headlight that there is then
+  }
+  if (std::all_of(options.lights.begin(), options.lights.end(),
+        [](const LightValue& light) { return light.intensity <= 0 || IsBlack(light.color); }))
+  {
+    return "the lights have no intensity or colour; try another --light, or --headlight";
+  }
+  for (const Experiment& experiment : Experiments())
+  {
+    for (LightValue& light : options.lights)
+    {
+      experiment.change(options, light);
+    }
+    if (!IsAllBlack(options, meshes))
+    {
+      return experiment.reason;
+    }
+  }
+  return "hardly any light falls on the faces in it; try --ambient 0.2";
+}
+
+} // namespace
+
+std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkImageData* picture)
+{
+  const Pixel background = BytesOf(options.background);
+  if (!HasOnly(picture, background, Black))
+  {
+    return "";
+  }
+  const std::string nothing = "the picture shows nothing: ";
+  if (!IsAnythingHit(options, meshes))
+  {
+    const auto tracer = MakeScene(options, meshes);
+    const std::string reason = WhyNothingIsHit(options, meshes, tracer->GetCamera());
+    return reason.empty() ? "" : nothing + reason;
+  }
+  if (IsAllBlack(options, meshes))
+  {
+    return (background == Black ? nothing : "the picture shows black only: ") +
+      WhyAllIsBlack(options, meshes);
+  }
+  return HasOnly(picture, background, background)
+    ? nothing + "all faces in it have the colour of the background; try another --background"
+    : "";
+}
+
+} // namespace lambent::command

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputSettings.h"
+
+#include "vtkAlgorithm.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace
+{
+/// Where a connection comes from: a filter and its output port.
+using Source = std::pair<vtkAlgorithm*, int>;
+
+std::vector<Source> sourcesOf(vtkAlgorithm* filter)
+{
+  std::vector<Source> sources(filter->GetNumberOfInputConnections(0));
+  for (std::size_t k = 0; k < sources.size(); ++k)
+  {
+    sources[k].first = filter->GetInputAlgorithm(0, static_cast<int>(k), sources[k].second);
+  }
+  return sources;
+}
+
+/// For each connection from before the number that it has now, or -1 if it is gone. Where
+/// one source is connected several times the last of them have stayed.
+std::vector<int> match(
+  const std::vector<Source>& before, const std::vector<Source>& after, int removed)
+{
+  std::vector<int> numbers(before.size(), -1);
+  int next = static_cast<int>(after.size()) - 1;
+  for (int k = static_cast<int>(before.size()) - 1; k >= 0 && next >= 0; --k)
+  {
+    if (k != removed && before[k] == after[next])
+    {
+      numbers[k] = next--;
+    }
+  }
+  return numbers;
+}
+}
+
+vtkProperty* InputSettings::property(int connection) const
+{
+  const auto found = this->Settings.find(connection);
+  return found == this->Settings.end() ? nullptr : found->second.Property.Get();
+}
+
+void InputSettings::setProperty(int connection, vtkProperty* property)
+{
+  if (property)
+  {
+    this->Settings[connection].Property = property;
+  }
+  else
+  {
+    this->Settings.erase(connection);
+  }
+}
+
+void InputSettings::follow(vtkAlgorithm* filter, const std::function<void()>& change, int removed)
+{
+  const std::vector<Source> before = sourcesOf(filter);
+  change();
+  const std::vector<Source> after = sourcesOf(filter);
+  if (before != after)
+  {
+    this->move(match(before, after, after.size() < before.size() ? removed : -1),
+      static_cast<int>(before.size()) - static_cast<int>(after.size()));
+  }
+}
+
+void InputSettings::followReplacement(vtkAlgorithm* filter, const std::function<void()>& change)
+{
+  const std::vector<Source> before = sourcesOf(filter);
+  change();
+  const std::vector<Source> after = sourcesOf(filter);
+  const std::vector<int> numbers = match(before, after, -1);
+  if (std::any_of(numbers.begin(), numbers.end(), [](int number) { return number >= 0; }))
+  {
+    this->move(numbers, static_cast<int>(before.size()) - static_cast<int>(after.size()));
+  }
+}
+
+/// `numbers` has the new number of each connection, or -1; others move up by so many.
+void InputSettings::move(const std::vector<int>& numbers, int fewer)
+{
+  const auto count = static_cast<int>(numbers.size());
+  std::map<int, InputSetting> moved;
+  for (auto& [connection, setting] : this->Settings)
+  {
+    const int number = connection < count ? numbers[connection] : connection - fewer;
+    if (number >= 0)
+    {
+      moved[number] = std::move(setting);
+    }
+  }
+  this->Settings = std::move(moved);
+}

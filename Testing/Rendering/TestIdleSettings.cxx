@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A setting that has no effect is named, with what to do instead; once, and not by a scene
+// that keeps to the defaults.
+#include "Meshes.h"
+#include "Messages.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkTexture.h"
+
+#include <functional>
+
+namespace
+{
+using PropertyChange = std::function<void(vtkProperty*)>;
+
+const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProperties()
+{
+  static const std::vector<std::pair<std::vector<std::string>, PropertyChange>> settings{
+    { { "SetRepresentationToWireframe()", "vtkExtractEdges", "vtkTubeFilter" },
+      [](vtkProperty* property) { property->SetRepresentationToWireframe(); } },
+    { { "SetRepresentationToPoints()", "vtkGlyph3D" },
+      [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
+    { { "SetOpacity()", "back to 1" }, [](vtkProperty* property) { property->SetOpacity(0.5); } },
+    { { "EdgeVisibilityOn()", "vtkTubeFilter" },
+      [](vtkProperty* property) { property->EdgeVisibilityOn(); } },
+    { { "VertexVisibilityOn()", "vtkGlyph3D" },
+      [](vtkProperty* property) { property->VertexVisibilityOn(); } },
+    { { "SetSpecular()", "back to 0" }, [](vtkProperty* property) { property->SetSpecular(0.3); } },
+    { { "SetInterpolationToPBR()", "SetInterpolationToPhong()" },
+      [](vtkProperty* property) { property->SetInterpolationToPBR(); } },
+    { { "SetTexture()", "RemoveAllTextures()" },
+      [](vtkProperty* property)
+      {
+        vtkNew<vtkTexture> texture;
+        property->SetTexture("paint", texture);
+      } },
+  };
+  return settings;
+}
+}
+
+TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
+{
+  for (const auto& [parts, change] : idleProperties())
+  {
+    SCOPED_TRACE(parts.front());
+    Studio studio;
+    studio.tracer->SetInputData(makeSquare());
+    Messages messages(studio.tracer);
+    const Picture expected = render(studio.tracer);
+    EXPECT_TRUE(messages.warnings().empty());
+
+    change(studio.property);
+    const Picture picture = render(studio.tracer);
+    std::vector<std::string> all = parts;
+    all.insert(all.begin(), "The property of all inputs: vtkProperty::");
+    expectMessage(messages.warnings(), all);
+    EXPECT_TRUE(messages.errors().empty());
+    EXPECT_SAME_BITS(expected, picture);
+
+    for (int k = 0; k < 3; ++k) // not once a picture
+    {
+      studio.camera->Azimuth(1.0);
+      studio.tracer->Update();
+    }
+    EXPECT_EQ(messages.warnings().size(), 1u);
+  }
+}
+
+TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
+{
+  for (const auto& [parts, change] : idleProperties())
+  {
+    Studio studio;
+    const Messages messages(studio.tracer);
+    studio.tracer->AddInputDataObject(makeSquare());
+    studio.tracer->AddInputDataObject(makeSphere(6));
+    vtkNew<vtkProperty> own;
+    change(own);
+    studio.tracer->SetInputProperty(1, own);
+    studio.tracer->Update();
+    expectMessage(messages.warnings(), { "Input 1: vtkProperty::", parts.front() });
+  }
+}
+
+// A common property that no input takes has nothing to be warned of.
+TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
+{
+  Studio studio;
+  const Messages messages(studio.tracer);
+  studio.tracer->SetInputData(makeSquare());
+  vtkNew<vtkProperty> own;
+  studio.tracer->SetInputProperty(0, own);
+  studio.property->SetOpacity(0.5);
+  studio.tracer->Update();
+  EXPECT_TRUE(messages.warnings().empty());
+}
+
+TEST(IdleSettings, AreNamedAgainWhenTheyComeBack)
+{
+  Studio studio;
+  Messages messages(studio.tracer);
+  studio.tracer->SetInputData(makeSquare());
+  for (double opacity : { 0.5, 0.25, 1.0, 0.5 })
+  {
+    studio.property->SetOpacity(opacity);
+    studio.tracer->Update();
+  }
+  EXPECT_EQ(messages.warnings().size(), 2u);
+}
+
+TEST(IdleSettings, DefaultsAndWhatHasAnEffectAreNotNamed)
+{
+  Studio studio;
+  const Messages messages(studio.tracer);
+  studio.tracer->SetInputData(makeSquare());
+  studio.property->SetInterpolationToPhong();
+  studio.property->SetAmbient(0.5);
+  studio.property->SetSpecularPower(30.0); // of no highlight
+  studio.property->SetLineWidth(3.0);      // of no line
+  studio.property->BackfaceCullingOn();
+  vtkNew<vtkLight> fresh, head;
+  head->SetLightTypeToHeadlight();
+  studio.tracer->AddLight(fresh);
+  studio.tracer->AddLight(head);
+  studio.tracer->Update();
+  studio.tracer->SetCamera(nullptr);
+  studio.tracer->SetProperty(nullptr);
+  studio.tracer->Update();
+  EXPECT_TRUE(messages.warnings().empty());
+}
+
+TEST(IdleSettings, ALightAtItsOwnFocalPointIsNamed)
+{
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    Studio studio;
+    const Messages messages(studio.tracer);
+    studio.tracer->SetInputData(makeSquare());
+    vtkNew<vtkLight> good, bad;
+    bad->SetPosition(1.0, 2.0, 3.0);
+    bad->SetFocalPoint(1.0, 2.0, 3.0);
+    bad->SetPositional(kind == 1); // with a cone, as lights have by default
+    good->SwitchOff();             // and counts all the same
+    studio.tracer->AddLight(good);
+    studio.tracer->AddLight(bad);
+    EXPECT_EQ(render(studio.tracer).at(16, 12), Vec(0.0));
+    expectMessage(messages.warnings(), { "Light 1 ", "its own focal point", "SetFocalPoint()" });
+  }
+}
+
+// In all directions it shines whatever its focal point is; switched off it does not shine.
+TEST(IdleSettings, ALightThatNeedsNoFocalPointIsNotNamed)
+{
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    Studio studio;
+    const Messages messages(studio.tracer);
+    studio.tracer->SetInputData(makeSquare());
+    vtkNew<vtkLight> light;
+    light->SetPosition(0.0, 0.0, 2.0);
+    light->SetFocalPoint(0.0, 0.0, 2.0);
+    light->SetPositional(kind == 0);
+    light->SetConeAngle(90.0);
+    light->SetSwitch(kind != 1);
+    if (kind == 2)
+    {
+      light->SetLightTypeToHeadlight();
+    }
+    studio.tracer->AddLight(light);
+    EXPECT_EQ(render(studio.tracer).at(16, 12).x > 0.5, kind != 1);
+    EXPECT_TRUE(messages.warnings().empty());
+  }
+}
