@@ -20,7 +20,7 @@ class vtkLambentImageComparison::Executive : public vtkStreamingDemandDrivenPipe
 {
 public:
   static Executive* New();
-  vtkTypeMacro(Executive, vtkStreamingDemandDrivenPipeline);
+  vtkTypeMacro(Executive, vtkStreamingDemandDrivenPipeline)
 
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -48,7 +48,7 @@ class Stage : public vtkImageAlgorithm
 {
 public:
   static Stage* New();
-  vtkTypeMacro(Stage, vtkImageAlgorithm);
+  vtkTypeMacro(Stage, vtkImageAlgorithm)
   vtkSetMacro(Failure, int);
   vtkSetMacro(Value, int);
   void SetInput(vtkAlgorithm* source)
@@ -90,7 +90,7 @@ class Pair : public vtkImageAlgorithm
 {
 public:
   static Pair* New();
-  vtkTypeMacro(Pair, vtkImageAlgorithm);
+  vtkTypeMacro(Pair, vtkImageAlgorithm)
 
 protected:
   Pair() { this->SetNumberOfInputPorts(2); }
