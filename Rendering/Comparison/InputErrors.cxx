@@ -36,8 +36,17 @@ std::string findError(vtkAlgorithm* algorithm, int port, std::set<vtkAlgorithm*>
 }
 }
 
-std::string findInputError(vtkAlgorithm* algorithm, int port)
+std::string findInputError(vtkAlgorithm* comparison)
 {
+  const char* const roles[] = { "The picture", "The baseline" };
   std::set<vtkAlgorithm*> seen;
-  return findError(algorithm, port, seen);
+  for (int port = 0; port < 2; ++port)
+  {
+    const std::string error = findError(comparison, port, seen);
+    if (!error.empty())
+    {
+      return std::string(roles[port]) + " could not be made: " + error;
+    }
+  }
+  return "";
 }

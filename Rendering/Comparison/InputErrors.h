@@ -15,8 +15,8 @@
 
 class vtkAlgorithm;
 
-/// "vtkPNGReader reports: FileNotFound" for the first error code that is set anywhere upstream of
-/// an input port; empty if there is none.
-std::string findInputError(vtkAlgorithm* algorithm, int port);
+/// "The baseline could not be made: vtkJPEGReader reports: FileNotFoundError" for the first error
+/// code that is set anywhere upstream of the ports of picture and baseline; empty if none is.
+std::string findInputError(vtkAlgorithm* comparison);
 
 #endif

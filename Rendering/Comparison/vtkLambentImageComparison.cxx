@@ -202,15 +202,10 @@ void vtkLambentImageComparison::Fail(const std::string& message)
 void vtkLambentImageComparison::Compare(
   vtkImageData* picture, vtkImageData* baseline, vtkImageData* output)
 {
-  for (int port = 0; port < 2; ++port)
+  const std::string error = findInputError(this);
+  if (!error.empty())
   {
-    const std::string error = findInputError(this, port);
-    if (!error.empty())
-    {
-      throw std::runtime_error(
-        (port == 0 ? "The picture could not be made: " : "The baseline could not be made: ") +
-        error);
-    }
+    throw std::runtime_error(error);
   }
   checkScalars(picture, "picture");
   checkScalars(baseline, "baseline");

@@ -98,7 +98,9 @@ class PictureRun:
         return folder
 
     def accept(self, baseline, picture, content):
-        self.pending[baseline] = picture, content
+        kept = type(picture)()
+        kept.DeepCopy(picture)  # the test may go on working on its own
+        self.pending[baseline] = kept, content
         self.accepted.add(baseline)
 
     def record(self, result):

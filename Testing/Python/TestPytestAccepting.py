@@ -117,6 +117,19 @@ class Accepting(PytestSuiteTest):
         self.update(fixture + "    raise ValueError\n", "def test_box(checked): pass", status=1)
         self.update(fixture, "def test_box(checked): pass", accepts=True)
 
+    def test_a_picture_that_the_test_changes_is_another(self):
+        text = self.update("""
+            def test_box():
+                tracer = box(2)
+                tracer.Update()
+                image = tracer.GetOutput()
+                assert_matches_baseline(image, "box")
+                assert_matches_baseline(image, "box")
+                image.GetPointData().GetScalars().Fill(9)
+                assert_matches_baseline(image, "box")
+            """, status=1)
+        self.assertIn("has accepted another picture of this name", text)
+
     def test_what_passes_beside_it_is_accepted(self):
         text = self.update("""
             def test_first():

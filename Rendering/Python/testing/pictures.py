@@ -151,4 +151,3 @@ def _image_of_array(picture):
     rows = array[::-1].astype(native, order="C").reshape(-1, components)  # VTK's begin at the bottom
     image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=True))
     return image
-

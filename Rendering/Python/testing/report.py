@@ -11,7 +11,6 @@ import struct
 
 from .pictures import write_file
 
-
 MARK = b"<!DOCTYPE html>\n<!-- report of lambent.testing -->\n"
 
 
