@@ -48,7 +48,7 @@ need_build() {
   need "the module (VTK, GLM, Highway)" libvtk9-dev libglm-dev libhwy-dev
   need "the command (CLI11)" libcli11-dev
   need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
-  need "pictures as tests in pytest" python3-pytest python3-pytest-xdist
+  need "pictures as tests in pytest" python3-pytest python3-pytest-xdist python3-pil
 }
 
 need_benchmarks() {

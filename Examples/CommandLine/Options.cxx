@@ -22,10 +22,11 @@ const char* const Description =
 const char* const Footer = R"(
 Vectors are x,y,z without spaces. Colours are r,g,b in 0..1, #rrggbb or a name such as tomato.
 
-A light is key=value pairs joined by semicolons; quote them for the shell:
-  --light 'position=3,4,5;color=gold;intensity=0.8'   a lamp that shines in all directions
-  --light 'direction=0,-1,0'                          light from infinitely far away that
-                                                      travels along 0,-1,0: from above
+A light is key=value pairs joined by colons:
+  --light position=3,4,5:color=gold:intensity=0.8   a lamp that shines in all directions
+  --light direction=0,-1,0                          light from infinitely far away that
+                                                    travels along 0,-1,0: from above
+Semicolons join them as well, but take quotes in a shell and part the elements of a CMake list.
 A lamp with cone=DEG shines only that far to either side of the way to focal=x,y,z (the camera's
 focal point if not said), with exponent=E falling off inside it. attenuation=a,b,c divides by
 a + b d + c d d at the distance d.

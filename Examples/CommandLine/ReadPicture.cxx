@@ -3,16 +3,14 @@
 
 #include "ReadPicture.h"
 #include "CheckFile.h"
-#include "CheckPng.h"
 #include "CheckXml.h"
-#include "FileBytes.h"
 #include "FileKinds.h"
 #include "Messages.h"
 
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
+#include "vtkLambentPNGReader.h"
 #include "vtkNew.h"
-#include "vtkPNGReader.h"
 #include "vtkPointData.h"
 #include "vtkXMLImageDataReader.h"
 
@@ -21,10 +19,23 @@ namespace lambent::command
 namespace
 {
 
-template <typename Reader>
-vtkSmartPointer<vtkImageData> ReadWith(const std::string& path, VtkMessages& messages)
+vtkSmartPointer<vtkImageData> ReadPng(const std::string& path)
 {
-  vtkNew<Reader> reader;
+  vtkNew<vtkLambentPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  if (!reader->Read())
+  {
+    throw Failure(reader->GetMessage());
+  }
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> ReadVti(const std::string& path, VtkMessages& messages)
+{
+  CheckFile(path);
+  CheckXml(path);
+  vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
   const std::string error = messages.TakeError();
@@ -42,19 +53,8 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path, VtkMessages& 
 {
   try
   {
-    CheckFile(path);
-    const FileBytes bytes(path);
-    vtkSmartPointer<vtkImageData> image;
-    if (PictureKindOf(path) == PictureKind::Vti)
-    {
-      CheckXml(path);
-      image = ReadWith<vtkXMLImageDataReader>(path, messages);
-    }
-    else
-    {
-      CheckPng(bytes.view());
-      image = ReadWith<vtkPNGReader>(path, messages);
-    }
+    const vtkSmartPointer<vtkImageData> image =
+      PictureKindOf(path) == PictureKind::Vti ? ReadVti(path, messages) : ReadPng(path);
     if (!image->GetPointData()->GetScalars())
     {
       throw Failure("it has no point scalars");

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Recipe.h"
-#include "CheckFile.h"
-#include "CheckPng.h"
-#include "FileBytes.h"
 #include "Messages.h"
 
+#include "vtkLambentPNGReader.h"
 #include "vtkLambentRayTracer.h"
 
 #include "vtkNew.h"
-#include "vtkPNGReader.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +15,6 @@
 #include <cctype>
 #include <cstdio>
 #include <cstring>
-#include <map>
 #include <set>
 
 namespace lambent::command
@@ -48,27 +44,6 @@ std::string TextOf(const Triple& direction)
   char text[100];
   std::snprintf(text, sizeof(text), "%g,%g,%g", direction[0], direction[1], direction[2]);
   return text;
-}
-
-/// The texts in a PNG file.
-std::map<std::string, std::string> ReadTexts(const std::string& path, VtkMessages& messages)
-{
-  CheckFile(path);
-  CheckPng(FileBytes(path).view());
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  const std::string error = messages.TakeError();
-  if (!error.empty())
-  {
-    throw Failure(error);
-  }
-  std::map<std::string, std::string> texts;
-  for (int k = 0; k < static_cast<int>(reader->GetNumberOfTextChunks()); ++k)
-  {
-    texts[reader->GetTextKey(k)] = reader->GetTextValue(k);
-  }
-  return texts;
 }
 
 bool NamesTheView(const std::vector<std::string>& words)
@@ -178,24 +153,30 @@ std::vector<std::string> SplitWords(const std::string& command)
   return words;
 }
 
-Options ReadRecipe(const Options& options, VtkMessages& messages)
+Options ReadRecipe(const Options& options)
 {
   const std::string& path = options.recreate;
   try
   {
-    const std::map<std::string, std::string> texts = ReadTexts(path, messages);
-    const auto contract = texts.find(ContractKey), command = texts.find(CommandKey);
-    if (contract == texts.end() || command == texts.end())
+    vtkNew<vtkLambentPNGReader> reader;
+    reader->SetFileName(path.c_str());
+    if (!reader->Read())
+    {
+      throw Failure(reader->GetMessage());
+    }
+    const char *const contract = reader->GetText(ContractKey),
+                      *const command = reader->GetText(CommandKey);
+    if (!contract || !command)
     {
       throw Failure("it does not tell how it was drawn; only PNG files of this command do");
     }
     const std::string ours = std::to_string(vtkLambentRayTracer::GetImageContractVersion());
-    if (contract->second != ours && !options.quiet)
+    if (contract != ours && !options.quiet)
     {
-      Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract->second) +
+      Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract) +
         ", this is " + ours + "; bits may differ");
     }
-    Options drawing = ParseRecipe(command->second);
+    Options drawing = ParseRecipe(command);
     drawing.output = options.output;
     drawing.comparison = ComparisonOptions();
     if (options.output.empty())

@@ -39,7 +39,7 @@ std::vector<std::string> SplitWords(const std::string& command);
 
 /// The options that the text of the picture `options.recreate` tells, to be drawn for what
 /// else the options ask: into a file, or to be compared with that picture. Throws Failure.
-Options ReadRecipe(const Options& options, VtkMessages& messages);
+Options ReadRecipe(const Options& options);
 
 } // namespace lambent::command
 

@@ -192,7 +192,9 @@ LightValue ParseLight(const std::string& text)
   LightValue light;
   light.text = text;
   bool hasPositionalItem = false;
-  for (const std::string& item : Split(text, ';'))
+  std::string items = text;
+  std::replace(items.begin(), items.end(), ';', ':');
+  for (const std::string& item : Split(items, ':'))
   {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos)

@@ -78,7 +78,7 @@ Triple ParseColor(const std::string& text);
 /// WIDTHxHEIGHT, each at least 1.
 std::array<int, 2> ParseSize(const std::string& text);
 
-/// position=x,y,z or direction=x,y,z, and more key=value pairs, joined by semicolons.
+/// position=x,y,z or direction=x,y,z, and more key=value pairs, joined by colons or semicolons.
 LightValue ParseLight(const std::string& text);
 
 } // namespace lambent::command

@@ -11,6 +11,7 @@
 #include "NothingSeen.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ProtectFiles.h"
 #include "ReadPicture.h"
 #include "ReadSurface.h"
 #include "Recipe.h"
@@ -128,7 +129,8 @@ std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
     return *options.size;
   }
   const std::string& baseline = options.comparison.baseline;
-  if (!baseline.empty() && std::filesystem::exists(baseline))
+  std::error_code error;
+  if (!baseline.empty() && std::filesystem::exists(baseline, error))
   {
     const int* const size = ReadPicture(baseline, messages)->GetDimensions();
     return { size[0], size[1] };
@@ -204,11 +206,13 @@ bool Draw(Options options, VtkMessages& messages)
 bool Run(const Options& options)
 {
   VtkMessages messages(!options.quiet);
-  if (!options.picture.empty())
+  const Options all = options.recreate.empty() ? options : ReadRecipe(options);
+  ProtectFiles(all);
+  if (!all.picture.empty())
   {
-    return Compare(ReadPicture(options.picture, messages), PixelIds(), options, messages);
+    return Compare(ReadPicture(all.picture, messages), PixelIds(), all, messages);
   }
-  return Draw(options.recreate.empty() ? options : ReadRecipe(options, messages), messages);
+  return Draw(all, messages);
 }
 
 std::string Version()

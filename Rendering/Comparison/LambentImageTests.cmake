@@ -8,14 +8,18 @@
 #
 # The test <name> draws the meshes with the command lambent and these options, and passes if the
 # picture is the baseline: exactly, or as METRIC and TOLERANCE say. Names are relative to the source
-# folder, which the test runs in. The picture is as large as the baseline, or as --size says.
+# folder, which the test runs in. The picture is as large as the baseline, or as --size says. In ARGS
+# join the parts of a light by colons (--light position=3,4,5:color=gold): semicolons part the elements
+# of a list when it goes through set().
 #
 #   lambent_add_image_test(NAME <name> PICTURE <file> BASELINE <file>
 #     [COMMAND <command> <argument>...] [WORKING_DIRECTORY <folder>] [METRIC ...] [TOLERANCE ...])
 #
 # The test <name> passes if the picture, a .png or .vti, is the baseline. COMMAND draws it, in a test
 # <name>.Draw that runs before, in WORKING_DIRECTORY or else the binary folder, to which <file> is
-# relative. Without COMMAND something else has to draw it first.
+# relative. A relative WORKING_DIRECTORY is one in the binary folder; it is made if it is missing.
+# Without COMMAND something else has to draw the picture first. The picture may not be the baseline
+# itself, which would always pass.
 #
 # A test without a baseline fails and names what it has drawn. To accept what is drawn, build the target
 # lambent-update-baselines, or run ctest with LAMBENT_UPDATE_BASELINES=1 in the environment; -R <name>
@@ -25,7 +29,8 @@
 
 include_guard(GLOBAL)
 
-# Where a path of the caller's is, relative to a folder. Generator expressions stay as they are.
+# Where a path of the caller's is, relative to a folder. What begins with a generator expression stays as
+# it is.
 function (_lambent_absolute result path folder)
   if (NOT path MATCHES "^\\$<" AND NOT IS_ABSOLUTE "${path}")
     set(path "${folder}/${path}")
@@ -56,6 +61,44 @@ function (_lambent_check_image_test)
   endif ()
 endfunction ()
 
+# A file name for a test that no other test has, also where the file system ignores case. A name that is a
+# C identifier stays readable; any other has its hash behind it.
+function (_lambent_file_name result name)
+  string(MAKE_C_IDENTIFIER "${name}" file)
+  string(TOLOWER "${file}" key)
+  get_property(used DIRECTORY PROPERTY _lambent_image_files)
+  list(FIND used "${key}" place)
+  if (NOT file STREQUAL name OR NOT place EQUAL -1)
+    string(SHA256 hash "${name}")
+    string(SUBSTRING "${hash}" 0 8 hash)
+    string(APPEND file "-${hash}")
+  else ()
+    set_property(DIRECTORY APPEND PROPERTY _lambent_image_files "${key}")
+  endif ()
+  set("${result}" "${file}" PARENT_SCOPE)
+endfunction ()
+
+# Stops if the picture is the baseline, as far as that is known before anything is built; the command
+# looks again when the test runs.
+function (_lambent_check_not_baseline picture)
+  _lambent_absolute(baseline "${arg_BASELINE}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  if (NOT "${picture}${baseline}" MATCHES "\\$<")
+    foreach (path IN ITEMS picture baseline)
+      if (NOT EXISTS "${${path}}") # links in a path to nowhere are not followed
+        get_filename_component(name "${${path}}" NAME)
+        get_filename_component(${path} "${${path}}" DIRECTORY)
+        file(REAL_PATH "${${path}}" ${path})
+        set(${path} "${${path}}/${name}")
+      endif ()
+      file(REAL_PATH "${${path}}" ${path})
+    endforeach ()
+  endif ()
+  if (picture STREQUAL baseline)
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): PICTURE and BASELINE are one file, "
+      "${baseline}, and would always be equal. Name two files.")
+  endif ()
+endfunction ()
+
 function (_lambent_add_update_target)
   if (NOT TARGET lambent-update-baselines)
     add_custom_target(lambent-update-baselines
@@ -77,7 +120,7 @@ function (lambent_add_image_test)
   if (LAMBENT_IMAGE_REPORT)
     _lambent_absolute(report "${LAMBENT_IMAGE_REPORT}" "${CMAKE_BINARY_DIR}")
   endif ()
-  string(MAKE_C_IDENTIFIER "${arg_NAME}" file)
+  _lambent_file_name(file "${arg_NAME}")
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/lambent-images")
   file(MAKE_DIRECTORY "${folder}")
   set(how --report "${report}" --name "${arg_NAME}" --difference "${folder}/${file}.difference.png")
@@ -97,7 +140,12 @@ function (lambent_add_image_test)
     if (NOT arg_WORKING_DIRECTORY)
       set(arg_WORKING_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
     endif ()
+    _lambent_absolute(arg_WORKING_DIRECTORY "${arg_WORKING_DIRECTORY}" "${CMAKE_CURRENT_BINARY_DIR}")
+    if (NOT arg_WORKING_DIRECTORY MATCHES "\\$<")
+      file(MAKE_DIRECTORY "${arg_WORKING_DIRECTORY}")
+    endif ()
     _lambent_absolute(picture "${arg_PICTURE}" "${arg_WORKING_DIRECTORY}")
+    _lambent_check_not_baseline("${picture}")
     add_test(NAME "${arg_NAME}"
       COMMAND Lambent::Command compare "${picture}" "${arg_BASELINE}" ${how}
       WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}")

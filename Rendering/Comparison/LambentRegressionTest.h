@@ -15,11 +15,14 @@
  * the arguments that these take, and returns what they return:
  *
  *     -V BASELINE   the PNG file that the picture must be
- *     -T FOLDER     where the picture and the difference are written if it is not [.]
+ *     -T FOLDER     where the picture and the difference are written if it is not [.];
+ *                   in the folder of the baseline nothing is written
  *
  * Unlike those it is exact unless it is given a tolerance, in units of the scalars, and
  * knows no alternative baselines. With LAMBENT_UPDATE_BASELINES=1 in the
- * environment a picture that differs becomes the baseline.
+ * environment a picture that differs becomes the baseline, if it can: a PNG holds one slice of 1
+ * to 4 components of unsigned char or unsigned short. A baseline that is damaged fails the test;
+ * one that cannot be a file, such as a folder, does so even then.
  *
  * Link Lambent::Lambent and VTK::IOImage.
  */
@@ -27,16 +30,26 @@
 #ifndef LambentRegressionTest_h
 #define LambentRegressionTest_h
 
+#include "LambentSameFile.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkLambentImageComparison.h"
+#include "vtkLambentPNGReader.h"
 #include "vtkNew.h"
-#include "vtkPNGReader.h"
+#include "vtkPNGReader.h" // not needed here; callers have come to rely on it
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <random>
 #include <string>
 
 /// As vtkTesting has them, of which LambentNotRun is for a test without -V.
@@ -61,18 +74,76 @@ inline std::string argument(int argc, char* argv[], const std::string& flag)
   return "";
 }
 
-inline void write(vtkImageData* image, const std::string& path)
+/// Why a PNG file cannot hold the picture; empty if it can.
+inline std::string whyNotPng(vtkImageData* image)
 {
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || image->GetNumberOfPoints() == 0)
+  {
+    return "it is empty";
+  }
+  const int type = scalars->GetDataType(), components = scalars->GetNumberOfComponents();
+  const bool fits = (type == VTK_UNSIGNED_CHAR || type == VTK_UNSIGNED_SHORT) && components <= 4 &&
+    image->GetDimensions()[2] == 1 && scalars->GetNumberOfTuples() == image->GetNumberOfPoints();
+  return fits ? ""
+              : "a PNG file holds one slice of 1 to 4 components of unsigned char or unsigned "
+                "short; this has " +
+      std::to_string(image->GetDimensions()[2]) + (image->GetDimensions()[2] == 1 ? " of " : ", ") +
+      std::to_string(components) + " of " + scalars->GetDataTypeAsString();
+}
+
+/// Writes a PNG file, whole or not at all: first beside the file, to which links lead. What went
+/// wrong, or an empty text.
+inline std::string write(vtkImageData* image, const std::string& path)
+{
+  namespace fs = std::filesystem;
+  const std::string problem = whyNotPng(image);
+  if (!problem.empty())
+  {
+    return problem;
+  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
-  writer->SetFileName(path.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError || !bytes)
+  {
+    return "vtkPNGWriter cannot encode it";
+  }
+  std::error_code error;
+  const fs::path target = lambentFiles::resolve(path);
+  fs::create_directories(target.parent_path(), error);
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
+  {
+    return "it exists and is not a regular file";
+  }
+  const fs::path part = target.string() + "." + std::to_string(std::random_device()()) + ".part";
+  {
+    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+    file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+    file.close();
+    if (!file)
+    {
+      fs::remove(part, error);
+      return "its folder cannot be written to, or the disk is full";
+    }
+  }
+  fs::rename(part, target, error);
+  if (error)
+  {
+    const std::string reason = error.message();
+    fs::remove(part, error);
+    return reason;
+  }
+  return "";
 }
 
 inline void tell(const char* name, const std::string& path)
 {
+  std::error_code error;
   std::cout << "<DartMeasurementFile name=\"" << name << "\" type=\"image/png\">"
-            << std::filesystem::absolute(path).string() << "</DartMeasurementFile>\n";
+            << std::filesystem::absolute(path, error).string() << "</DartMeasurementFile>\n";
 }
 
 inline bool isUpdating()
@@ -81,37 +152,74 @@ inline bool isUpdating()
   return value && std::string(value) == "1";
 }
 
+/// Make the picture the baseline.
+inline int accept(vtkImageData* picture, const std::string& baseline)
+{
+  const std::string problem = write(picture, baseline);
+  if (!problem.empty())
+  {
+    std::cout << "The picture cannot become the baseline '" << baseline << "': " << problem << "\n";
+    return LambentFailed;
+  }
+  std::cout << "accepted as the baseline '" << baseline << "'\n";
+  return LambentPassed;
+}
+
+/// Write a file for the user to look at, and name it; never over the baseline.
+inline bool leaveBehind(
+  vtkImageData* image, const std::string& path, const std::string& baseline, const char* name)
+{
+  std::string problem = "it is the baseline";
+  if (!lambentFiles::isSameFile(path, baseline))
+  {
+    problem = write(image, path);
+  }
+  if (!problem.empty())
+  {
+    std::cout << "'" << path << "' is not written: " << problem << "\n";
+    return false;
+  }
+  tell(name, path);
+  return true;
+}
+
 /// Leave picture and difference behind, and name them.
 inline int fail(vtkImageData* picture, vtkLambentImageComparison* comparison,
   const std::string& baseline, const std::string& folder)
 {
   namespace fs = std::filesystem;
-  if (isUpdating() && picture->GetNumberOfPoints() > 0)
-  {
-    fs::create_directories(fs::absolute(baseline).parent_path());
-    write(picture, baseline);
-    std::cout << "accepted as the baseline '" << baseline << "'\n";
-    return LambentPassed;
-  }
+  std::error_code error;
   const std::string stem = (fs::path(folder) / fs::path(baseline).stem()).string();
-  if (picture->GetNumberOfPoints() > 0)
+  bool isThere = false;
+  if (lambentFiles::isSameFile(fs::absolute(folder.empty() ? "." : folder, error).string(),
+        fs::absolute(baseline, error).parent_path().string()))
   {
-    write(picture, stem + ".png");
-    tell("TestImage", stem + ".png");
+    std::cout << "The picture is not written, since the folder of -T is that of the baselines; "
+              << "give another one.\n";
   }
-  if (fs::exists(baseline))
+  else
+  {
+    isThere = leaveBehind(picture, stem + ".png", baseline, "TestImage");
+    if (comparison->GetOutput()->GetNumberOfPoints() > 0)
+    {
+      leaveBehind(comparison->GetOutput(), stem + ".diff.png", baseline, "DifferenceImage");
+    }
+  }
+  if (fs::exists(baseline, error))
   {
     tell("ValidImage", baseline);
   }
   if (comparison->GetOutput()->GetNumberOfPoints() > 0)
   {
-    write(comparison->GetOutput(), stem + ".diff.png");
-    tell("DifferenceImage", stem + ".diff.png");
     std::cout << "<DartMeasurement name=\"ImageError\" type=\"numeric/double\">"
               << comparison->GetMaximumDifference() << "</DartMeasurement>\n";
   }
-  std::cout << "Look at '" << stem << ".png'; if it is right, accept it by running the test with "
-            << "LAMBENT_UPDATE_BASELINES=1 in the environment.\n";
+  if (whyNotPng(picture).empty())
+  {
+    std::cout << (isThere ? "Look at '" + stem + ".png'; if" : "If")
+              << " the picture is right, accept it by running the test with "
+              << "LAMBENT_UPDATE_BASELINES=1 in the environment.\n";
+  }
   return LambentFailed;
 }
 }
@@ -126,29 +234,57 @@ inline int lambentRegressionTest(
     std::cout << "There is no -V BASELINE among the arguments, so nothing is compared.\n";
     return LambentNotRun;
   }
+  if (!picture)
+  {
+    std::cout << "There is no picture: it is nullptr.\n";
+    return LambentFailed;
+  }
   vtkNew<vtkLambentImageComparison> comparison;
-  if (!std::filesystem::exists(baseline))
+  vtkNew<vtkLambentPNGReader> reader;
+  reader->SetFileName(baseline.c_str());
+  std::error_code error;
+  if (!std::filesystem::exists(baseline, error))
   {
     std::cout << "There is no baseline '" << baseline << "'.\n";
-    return lambentRegression::fail(picture, comparison, baseline, folder);
   }
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(baseline.c_str());
-  comparison->SetPictureData(picture);
-  comparison->SetInputConnection(1, reader->GetOutputPort());
-  comparison->SetTolerance(tolerance);
-  comparison->HighlightOn();
-  comparison->Update();
-  std::cout << comparison->GetMessage() << "\n";
-  return comparison->GetPassed() ? LambentPassed
-                                 : lambentRegression::fail(picture, comparison, baseline, folder);
+  else if (!reader->Read())
+  {
+    std::cout << "The baseline '" << baseline << "' cannot be read: " << reader->GetMessage()
+              << "\n";
+  }
+  else
+  {
+    comparison->SetPictureData(picture);
+    comparison->SetInputConnection(1, reader->GetOutputPort());
+    comparison->SetTolerance(tolerance);
+    comparison->HighlightOn();
+    comparison->Update();
+    std::cout << comparison->GetMessage() << "\n";
+    if (comparison->GetPassed())
+    {
+      return LambentPassed;
+    }
+  }
+  return lambentRegression::isUpdating()
+    ? lambentRegression::accept(picture, baseline)
+    : lambentRegression::fail(picture, comparison, baseline, folder);
 }
 
 /// The first output of an algorithm, brought up to date.
 inline int lambentRegressionTest(
   int argc, char* argv[], vtkAlgorithm* algorithm, double tolerance = 0.0)
 {
-  algorithm->Update();
+  if (!algorithm || algorithm->GetNumberOfOutputPorts() == 0)
+  {
+    std::cout << "There is no picture: the algorithm is nullptr or has no output.\n";
+    return LambentFailed;
+  }
+  // An input that fails leaves the last output as it was.
+  if (!algorithm->GetExecutive()->Update(0))
+  {
+    std::cout << algorithm->GetClassName() << " could not be updated; see what VTK printed.\n";
+    return LambentFailed;
+  }
   vtkImageData* picture = vtkImageData::SafeDownCast(algorithm->GetOutputDataObject(0));
   if (!picture)
   {

@@ -21,9 +21,18 @@
  * A comparison that fails is a result, not an error: Update() is silent, and
  * GetPassed() and GetMessage() tell. An input without scalars, or with too few of
  * them, a type that is not a number type, and a metric that the VTK in use lacks
- * are errors, and the comparison fails. If an input cannot be updated, so that there
- * is nothing to compare, it fails, too; never is an earlier result left to stand.
- * Before the first Update() nothing has passed.
+ * are errors, and the comparison fails.
+ *
+ * A result is never older than the last request. If an input cannot be updated, the
+ * comparison fails, whichever method asked for it: Update(), UpdateWholeExtent(),
+ * UpdateExtent(), UpdatePiece(), the executive, or a filter, writer or streamer downstream.
+ * The same goes for a reader upstream that sets an error code and calls its update a success.
+ * If an input or a setting has changed and a request leads to no new comparison, such as
+ * UpdateInformation() alone, nothing has passed either; nor before the first request.
+ * Composite data are refused; compare the blocks one by one.
+ *
+ * @warning vtkPNGReader (VTK 9.1) neither fails nor sets an error code when its file is missing,
+ * and passes on old memory. Read baselines with vtkLambentPNGReader.
  *
  * Output: the difference of the pictures; see Highlight.
  *
@@ -33,7 +42,7 @@
  * Transactions on Image Processing 13(4), 2004.
  *
  * @sa
- * vtkLambentRayTracer vtkImageSSIM
+ * vtkLambentPNGReader vtkLambentRayTracer vtkImageSSIM
  */
 
 #ifndef vtkLambentImageComparison_h
@@ -117,7 +126,7 @@ public:
 
   ///@{
   /**
-   * Results of the last Update().
+   * Results of the last request.
    *
    * Passed: whether the metric is within the tolerance.
    * MaximumDifference, RootMeanSquare: over all values of all pixels, in units of the
@@ -139,21 +148,19 @@ public:
   ///@}
 
   /**
-   * The result of the last Update() in one line without an end, such as "17 of 90000
+   * The result of the last request in one line without an end, such as "17 of 90000
    * pixels differ, by at most 3 of 255; the first is (12, 40)". Columns are counted
    * from 0 at the left, rows from 0 at the bottom; the first pixel is the leftmost of
    * the lowest row.
    */
   const char* GetMessage() const { return this->Message.c_str(); }
 
-  using Superclass::Update;
-  /// As the superclass; what cannot be updated has not passed.
-  void Update(int port) override;
-
 protected:
   vtkLambentImageComparison();
   ~vtkLambentImageComparison() override = default;
 
+  /// One that discards the results of requests that do not lead to a comparison.
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -177,6 +184,8 @@ private:
   vtkLambentImageComparison(const vtkLambentImageComparison&) = delete;
   void operator=(const vtkLambentImageComparison&) = delete;
 
+  class Executive;
+
   /// No result but a message.
   void Fail(const std::string& message);
   /// Throws std::runtime_error with a message for the user.
@@ -184,6 +193,7 @@ private:
   void Judge(vtkIdType x, vtkIdType y, vtkIdType pixels, const std::string& ofScale);
 
   std::string Message;
+  int NumberOfComparisons = 0; ///< counted for the executive
 };
 
 #endif

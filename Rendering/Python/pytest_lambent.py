@@ -62,16 +62,23 @@ class PictureRun:
 
     def __init__(self, config):
         self.config = config
-        self.updates = (config.getoption("lambent_update")
-                        or os.environ.get("LAMBENT_UPDATE_BASELINES") == "1")
-        self.accepted = set()  # the baselines that this process has written
+        self.is_updating = (config.getoption("lambent_update")
+                            or os.environ.get("LAMBENT_UPDATE_BASELINES") == "1")
+        self.accepted = set()  # the baselines that this process has accepted
         self.item = None  # the test that is running
-        self.fresh = []  # the results of its current phase
+        self.pending = {}  # pictures and bytes of baselines, to be written if it passes
+        self.fresh = []  # its results that have not been reported
         self.results = []  # those of all phases that have been reported
         self.report = None  # the file, when it is written
         self.problems = []  # what makes the run fail although its tests have passed
 
     # What lambent.testing asks.
+
+    @property
+    def updates(self):
+        """Whether a picture of the running test may be accepted: a wrong one that is expected to
+        fail its test may not."""
+        return self.is_updating and not _expects_failure(self.item)
 
     def baselines(self, _calling_file):
         """The folder of the baselines of the running test, whichever file its helpers are in."""
@@ -89,6 +96,12 @@ class PictureRun:
             folder = "%s-%d" % (stem, count)
         os.makedirs(folder)
         return folder
+
+    def accept(self, baseline, picture, content):
+        kept = type(picture)()
+        kept.DeepCopy(picture)  # the test may go on working on its own
+        self.pending[baseline] = kept, content
+        self.accepted.add(baseline)
 
     def record(self, result):
         self.fresh.append(dict(result, test=self.item.nodeid))
@@ -118,13 +131,23 @@ class PictureRun:
     def pytest_runtest_protocol(self, item):
         global running
         outer, running, self.item = running, self, item  # a test may run pytest itself
+        self.pending, self.fresh = {}, []
         yield
         running, self.item = outer, None
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_makereport(self):
         outcome = yield
-        outcome.get_result().lambent, self.fresh = self.fresh, []
+        report = outcome.get_result()
+        if report.when == "setup" and report.passed:
+            # Whether these are accepted is known after the test itself.
+            self.fresh = [result for result in self.fresh if result["outcome"] != "failed"]
+            return
+        if not report.passed or hasattr(report, "wasxfail"):
+            self._drop_pending("not accepted, since the test has not passed")
+        else:
+            self._write_pending(report)
+        report.lambent, self.fresh = self.fresh, []
 
     def pytest_runtest_logreport(self, report):
         # A test that expects a failure passes: then nothing is wrong with the picture.
@@ -163,6 +186,27 @@ class PictureRun:
         if self.report:
             write("lambent: the report is " + self.report)
 
+    def _write_pending(self, report):
+        """Write what a test has accepted; if that cannot be, the test has failed."""
+        from lambent.testing.pictures import write_file
+        while self.pending:
+            baseline, (_picture, content) = self.pending.popitem()
+            try:
+                write_file(baseline, content)
+            except OSError as error:
+                self.pending[baseline] = None
+                problem = "the baseline cannot be written: %s" % error
+                report.outcome, report.longrepr = "failed", problem
+                self._drop_pending(problem)
+
+    def _drop_pending(self, reason):
+        for result in self.fresh:
+            if result["outcome"] == "accepted" and result["baseline"] in self.pending:
+                result["outcome"] = "failed"
+                result["message"] += "; " + reason
+        self.accepted.difference_update(self.pending)
+        self.pending = {}
+
     def _of(self, outcome):
         return [result for result in self.results if result["outcome"] == outcome]
 
@@ -186,6 +230,20 @@ class PictureRun:
             self.report = path
         except OSError as error:
             self.problems.append("could not write the report: %s" % error)
+
+
+def _expects_failure(item):
+    """Whether a test is marked as one that fails."""
+    from lambent.testing.runs import unittest_expects_failure
+    if unittest_expects_failure():
+        return True
+    if item.config.getoption("runxfail", False):
+        return False
+    try:
+        from _pytest.skipping import evaluate_xfail_marks  # there is no public way to ask
+    except ImportError:
+        return item.get_closest_marker("xfail") is not None
+    return evaluate_xfail_marks(item) is not None
 
 
 def _plain(text):

@@ -79,6 +79,22 @@ TEST(Values, PositionalLight)
   EXPECT_EQ(light.focus, (Triple{ 4, 5, 6 }));
 }
 
+// Colons survive the lists of CMake and need no quotes in a shell.
+TEST(Values, LightsAreJoinedByColonsOrSemicolons)
+{
+  for (const char* text : { "position=1,2,3:color=#0000ff:cone=20:focal=4,5,6",
+         "position=1,2,3;color=#0000ff:cone=20;focal=4,5,6" })
+  {
+    const LightValue light = ParseLight(text);
+    EXPECT_EQ(light.text, text);
+    EXPECT_EQ(light.kind, LightValue::Kind::Positional);
+    EXPECT_EQ(light.place, (Triple{ 1, 2, 3 }));
+    EXPECT_EQ(light.color, (Triple{ 0, 0, 1 }));
+    EXPECT_EQ(light.cone, 20);
+    EXPECT_EQ(light.focus, (Triple{ 4, 5, 6 }));
+  }
+}
+
 TEST(Values, LightDefaults)
 {
   const LightValue light = ParseLight("position=1,2,3");
@@ -92,6 +108,7 @@ TEST(Values, LightDefaults)
 TEST(Values, LightsThatMakeNoSense)
 {
   for (const char* text : { "", "position", "color=red", "position=1,2,3;",
+         "position=1,2,3:", ":position=1,2,3", "position=1,2,3::color=red", "position:1,2,3",
          "position=1,2,3;direction=0,0,1", "direction=0,0,0", "direction=0,0,1;cone=10",
          "position=1,2,3;radius=2", "position=1,2,3;intensity=-1", "position=1,2,3;cone=200" })
   {

@@ -37,14 +37,36 @@ protected:
   template <typename Picture>
   int Run(Picture* picture, double tolerance = 0.0)
   {
-    std::string words[] = { "test", "-D", "data", "-T", this->Folder.string(), "-V",
-      this->Baseline() };
+    return this->Run(picture, tolerance, this->Folder.string(), this->Baseline());
+  }
+
+  template <typename Picture>
+  int Run(
+    Picture* picture, double tolerance, const std::string& folder, const std::string& baseline)
+  {
+    std::string words[] = { "test", "-D", "data", "-T", folder, "-V", baseline };
     char* argv[7];
     std::transform(std::begin(words), std::end(words), argv, [](std::string& w) { return &w[0]; });
     testing::internal::CaptureStdout();
     const int result = lambentRegressionTest(7, argv, picture, tolerance);
     this->Said = testing::internal::GetCapturedStdout();
     return result;
+  }
+
+  void Update() { setenv("LAMBENT_UPDATE_BASELINES", "1", 1); }
+
+  /// The test has failed, twice, with these words, and the baseline is as it was.
+  void ExpectBaselineIsKept(const std::string& folder, const std::string& baseline)
+  {
+    const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
+    for (int run = 0; run < 2; ++run)
+    {
+      EXPECT_EQ(this->Run(picture.Get(), 0.0, folder, baseline), LambentFailed) << this->Said;
+      EXPECT_EQ(this->Said.find("1 of 35 pixels differ"), 0u) << this->Said;
+      EXPECT_NE(this->Said.find("is not written"), std::string::npos) << this->Said;
+      EXPECT_EQ(this->Said.find("TestImage"), std::string::npos) << this->Said;
+    }
+    EXPECT_EQ(this->Run(grey(7, 5).Get(), 0.0, folder, baseline), LambentPassed) << this->Said;
   }
 
   fs::path Folder;
@@ -112,4 +134,149 @@ TEST_F(RegressionTest, NothingToCompareWithIsNotRun)
   const int result = lambentRegressionTest(1, argv, grey(2, 2).Get());
   testing::internal::GetCapturedStdout();
   EXPECT_EQ(result, LambentNotRun);
+}
+
+TEST_F(RegressionTest, FolderOfTheBaselineIsLeftAlone)
+{
+  const std::string valid = (this->Folder / "valid").string();
+  fs::create_directory_symlink(valid, this->Folder / "link");
+  for (const std::string& folder :
+    { valid, valid + "/", valid + "/../valid/.", (this->Folder / "link").string() })
+  {
+    SCOPED_TRACE(folder);
+    this->ExpectBaselineIsKept(folder, this->Baseline());
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(valid), fs::directory_iterator()), 1);
+}
+
+// Without -T pictures go to the current folder.
+TEST_F(RegressionTest, CurrentFolderMayBeThatOfTheBaseline)
+{
+  const fs::path before = fs::current_path();
+  fs::current_path(this->Folder / "valid");
+  this->ExpectBaselineIsKept("", "square.png");
+  this->ExpectBaselineIsKept(".", "./square.png");
+  fs::current_path(before);
+}
+
+TEST_F(RegressionTest, LinksToTheBaselineAreNotWrittenThrough)
+{
+  fs::create_symlink(this->Baseline(), this->Folder / "square.png");
+  this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
+  fs::remove(this->Folder / "square.png");
+  fs::create_hard_link(this->Baseline(), this->Folder / "square.png");
+  this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
+  fs::remove(this->Folder / "square.png");
+  // The baseline is the link, and what it leads to has the name of the picture.
+  fs::rename(this->Baseline(), this->Folder / "square.png");
+  fs::create_symlink("../square.png", this->Baseline());
+  this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
+}
+
+TEST_F(RegressionTest, OnlyWhatIsWrittenIsAccepted)
+{
+  this->Update();
+  const auto refuse =
+    [this](vtkImageData* picture, const std::string& baseline, const std::string& words)
+  {
+    SCOPED_TRACE(baseline);
+    EXPECT_EQ(this->Run(picture, 0.0, this->Folder.string(), baseline), LambentFailed);
+    EXPECT_NE(this->Said.find("cannot become the baseline"), std::string::npos) << this->Said;
+    EXPECT_NE(this->Said.find(words), std::string::npos) << this->Said;
+    EXPECT_EQ(this->Said.find("accepted"), std::string::npos) << this->Said;
+  };
+  const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
+  fs::create_directories(this->Folder / "folder.png");
+  std::ofstream(this->Folder / "file") << "not a folder";
+  refuse(values<float>(7, 5, 3), this->Baseline(), "3 of float");
+  refuse(values<float>(7, 5, 3), (this->Folder / "new.png").string(), "3 of float");
+  refuse(values<unsigned char>(7, 5, 5), this->Baseline(), "5 of unsigned char");
+  refuse(vtkNew<vtkImageData>(), this->Baseline(), "it is empty");
+  refuse(picture, (this->Folder / "folder.png").string(), "not a regular file");
+  refuse(picture, "/dev/full", "not a regular file");
+  refuse(picture, "/proc/x/a.png", "cannot be written to");
+  refuse(picture, (this->Folder / "file" / "a.png").string(), "");
+  refuse(picture, (this->Folder / std::string(300, 'n')).string() + ".png", "");
+  unsetenv("LAMBENT_UPDATE_BASELINES");
+  EXPECT_EQ(this->Run(grey(7, 5).Get()), LambentPassed) << "the baseline is as it was";
+  EXPECT_FALSE(fs::exists(this->Folder / "new.png"));
+}
+
+TEST_F(RegressionTest, BaselinesThatCannotBeAreFailures)
+{
+  for (const std::string& baseline :
+    { std::string("/proc/x/a.png"), this->Folder.string(), std::string("/dev/null"),
+      (this->Folder / std::string(300, 'n')).string(), std::string("/") })
+  {
+    SCOPED_TRACE(baseline);
+    EXPECT_EQ(this->Run(grey(7, 5).Get(), 0.0, this->Folder.string(), baseline), LambentFailed);
+    EXPECT_EQ(this->Said.find("are the same"), std::string::npos) << this->Said;
+  }
+}
+
+TEST_F(RegressionTest, CutBaselineFailsAndCanBeReplaced)
+{
+  const auto size = fs::file_size(this->Baseline());
+  fs::resize_file(this->Baseline(), size - 20);
+  EXPECT_EQ(this->Run(grey(7, 5).Get()), LambentFailed);
+  EXPECT_EQ(this->Said.find(
+              "The baseline '" + this->Baseline() + "' cannot be read: the file is cut short\n"),
+    0u)
+    << this->Said;
+  EXPECT_NE(this->Said.find("accept it"), std::string::npos) << this->Said;
+  this->Update();
+  EXPECT_EQ(this->Run(grey(7, 5).Get()), LambentPassed) << this->Said;
+  EXPECT_EQ(fs::file_size(this->Baseline()), size);
+}
+
+TEST_F(RegressionTest, UpdatingFollowsLinks)
+{
+  fs::rename(this->Baseline(), this->Folder / "kept.png");
+  fs::create_symlink("../kept.png", this->Baseline());
+  this->Update();
+  EXPECT_EQ(this->Run(grey(7, 5, { { 5, 1, 0, 103 } }).Get()), LambentPassed) << this->Said;
+  EXPECT_TRUE(fs::is_symlink(this->Baseline()));
+  vtkNew<vtkLambentPNGReader> reader;
+  reader->SetFileName((this->Folder / "kept.png").string().c_str());
+  ASSERT_TRUE(reader->Read());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 1, 0, 0), 103.0);
+}
+
+TEST_F(RegressionTest, PicturesThatCannotBeLeftBehindAreNotNamed)
+{
+  EXPECT_EQ(this->Run(grey(7, 5, { { 5, 1, 0, 103 } }).Get(), 0.0, "/proc/x", this->Baseline()),
+    LambentFailed);
+  EXPECT_NE(this->Said.find("'/proc/x/square.png' is not written"), std::string::npos)
+    << this->Said;
+  EXPECT_EQ(this->Said.find("TestImage"), std::string::npos) << this->Said;
+  EXPECT_NE(this->Said.find("ImageError"), std::string::npos) << this->Said;
+  EXPECT_EQ(this->Run(values<float>(7, 5, 3).Get()), LambentFailed);
+  EXPECT_NE(this->Said.find("is not written: a PNG file holds"), std::string::npos) << this->Said;
+  EXPECT_EQ(this->Said.find("accept"), std::string::npos) << this->Said;
+}
+
+TEST_F(RegressionTest, NoPictureFails)
+{
+  this->Update();
+  EXPECT_EQ(this->Run(static_cast<vtkImageData*>(nullptr)), LambentFailed);
+  EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(nullptr)), LambentFailed);
+  vtkNew<vtkPNGWriter> noOutput;
+  EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(noOutput)), LambentFailed);
+}
+
+// Its last picture is that of the baseline, but it cannot be drawn again.
+TEST_F(RegressionTest, AlgorithmThatFailsLeavesNothingToCompare)
+{
+  vtkNew<vtkLambentPNGReader> source;
+  source->SetFileName(this->Baseline().c_str());
+  vtkNew<vtkImageCast> cast;
+  cast->SetOutputScalarTypeToUnsignedChar();
+  cast->SetInputConnection(source->GetOutputPort());
+  EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(cast)), LambentPassed);
+  source->SetFileName("none.png");
+  vtkObject::GlobalWarningDisplayOff();
+  EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(cast)), LambentFailed);
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_NE(this->Said.find("vtkImageCast could not be updated"), std::string::npos) << this->Said;
 }

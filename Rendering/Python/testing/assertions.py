@@ -3,10 +3,10 @@
 """The two assertions. The comparison itself is vtkLambentImageComparison's."""
 
 import hashlib
-import math
 import numbers
 import os
 import re
+import sys
 
 from .. import vtkLambentImageComparison
 from .pictures import as_image, fits_png, png_of, write_file
@@ -51,18 +51,18 @@ def assert_matches_baseline(image_or_filter, name, tolerance=0, metric="max"):
     comparison = _comparison(tolerance, metric)
     run = current_run()
     baseline = baseline_file(run.baselines(calling_file()), name)
+    _refuse_baseline(image_or_filter, baseline)
     picture = as_image(image_or_filter)
     if not fits_png(picture):
         raise ValueError(
             "a baseline is a PNG, which holds 1 to 4 components of unsigned char or unsigned short;"
             " this picture has %d of %s; for the ray tracer's, SetOutputScalarTypeToUnsignedChar()"
             % (picture.GetNumberOfScalarComponents(), picture.GetScalarTypeAsString()))
-    result = {"baseline": baseline, "message": _judge(comparison, picture, baseline)}
+    result = {"baseline": baseline, "message": _judge(run, comparison, picture, baseline)}
     if comparison.GetPassed():
         result["outcome"] = "passed"
     elif run.updates and baseline not in run.accepted:
-        _accept(result, picture)
-        run.accepted.add(baseline)
+        _accept(run, result, picture)
     else:
         result["outcome"] = "failed"
         result["accept"] = run.how_to_accept
@@ -94,10 +94,10 @@ def baseline_file(folder, name):
 
 def _comparison(tolerance, metric):
     """A comparison that is still to be made; until then nothing has passed."""
-    if metric not in METRICS:
+    if not isinstance(metric, str) or metric not in METRICS:
         raise ValueError("the metric is %r; it can be %s"
                          % (metric, ", ".join(map(repr, METRICS))))
-    if not isinstance(tolerance, numbers.Real) or not 0 <= tolerance < math.inf:
+    if not isinstance(tolerance, numbers.Real) or not 0 <= tolerance <= sys.float_info.max:
         raise ValueError("the tolerance is %r; it is a number, 0 or larger" % (tolerance,))
     if metric == "ssim" and not vtkLambentImageComparison.HasStructuralSimilarity():
         raise RuntimeError("this VTK cannot compute the structural similarity; VTK 9.4 can")
@@ -114,8 +114,11 @@ def _compare(comparison, picture, expected):
     comparison.Update()
 
 
-def _judge(comparison, picture, baseline):
+def _judge(run, comparison, picture, baseline):
     """Compare with a file, if there is one; what is found, in one line."""
+    if baseline in run.pending:
+        _compare(comparison, picture, run.pending[baseline][0])
+        return comparison.GetMessage()
     if not os.path.exists(baseline):
         return "there is no baseline yet"
     try:
@@ -126,11 +129,27 @@ def _judge(comparison, picture, baseline):
     return comparison.GetMessage()
 
 
-def _accept(result, picture):
+def _refuse_baseline(picture, baseline):
+    """A file is always equal to itself."""
+    if not isinstance(picture, (str, bytes, os.PathLike)):
+        return
+    path = os.fsdecode(picture)
+    is_same = os.path.realpath(path) == os.path.realpath(baseline)
+    try:
+        is_same = is_same or os.path.samefile(path, baseline)
+    except OSError:  # one of them is not there
+        pass
+    if is_same:
+        raise ValueError("the picture '%s' is the baseline itself; give the one that is to be"
+                         " compared with it" % path)
+
+
+def _accept(run, result, picture):
     """Make the picture the baseline."""
-    is_new = not os.path.exists(result["baseline"])
+    baseline = result["baseline"]
+    is_new = not os.path.exists(baseline)
     content = png_of(picture)
-    write_file(result["baseline"], content)
+    run.accept(baseline, picture, content)
     result.update(outcome="accepted", change="new" if is_new else "changed",
                   digest=hashlib.sha256(content).hexdigest())
 

@@ -5,13 +5,14 @@
 import os
 import re
 import secrets
-import struct
-import zlib
 
 from vtkmodules.vtkCommonCore import VTK_STRING, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+
+from .. import vtkLambentPNGReader
+from .pillow import in_plain_colours, is_pillow
 
 
 def as_image(picture):
@@ -22,6 +23,8 @@ def as_image(picture):
         image = _output_of(picture)
     elif isinstance(picture, vtkImageData):
         image = picture
+    elif is_pillow(picture):
+        image = _image_of_array(in_plain_colours(picture))
     elif hasattr(picture, "__array__") or hasattr(picture, "__array_interface__"):
         image = _image_of_array(picture)
     else:
@@ -39,11 +42,18 @@ def as_image(picture):
 
 
 def read_png(path):
-    """The picture in a PNG file."""
-    with open(path, "rb") as file:
-        _check_png(file.read(), path)
-    reader = vtkPNGReader()
+    """The picture in a PNG file. One that is there but not whole is a ValueError."""
+    path = os.fsdecode(path)
+    os.stat(path)  # says that there is none
+    reader = vtkLambentPNGReader()
     reader.SetFileName(path)
+    if not reader.Read():
+        problem = reader.GetMessage()
+        if problem == "it is not a PNG file":
+            raise ValueError("'%s' is not a PNG file" % path)
+        if problem.startswith("the file is "):
+            problem = "it is a PNG file that is damaged or cut short: " + problem
+        raise ValueError("'%s' cannot be read: %s" % (path, problem))
     reader.Update()
     return reader.GetOutput()
 
@@ -69,7 +79,8 @@ def png_of(image):
 
 def write_file(path, content):
     """Write a file whole or not at all: whoever reads it meanwhile, or writes it as well, sees one
-    version or another. A device or a pipe is written to, not replaced."""
+    version or another. A link stays one. A device or a pipe is written to, not replaced."""
+    path = os.path.realpath(path)
     if os.path.exists(path) and not os.path.isfile(path):
         with open(path, "wb") as file:
             file.write(content)
@@ -122,8 +133,11 @@ def _image_of_array(picture):
     import numpy  # whoever passes an array has it
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
+    if numpy.ma.is_masked(picture):
+        raise ValueError("some of the array's values are masked; fill them, as by filled(0)")
     array = numpy.asarray(picture)
-    if array.dtype not in (numpy.uint8, numpy.uint16):
+    native = array.dtype.newbyteorder("=")  # another order of bytes is no other number
+    if native not in (numpy.uint8, numpy.uint16):
         raise TypeError("the array's values are %s; a picture's are uint8 (0 to 255) or uint16"
                         % array.dtype)
     if array.ndim == 2:
@@ -134,23 +148,6 @@ def _image_of_array(picture):
     height, width, components = array.shape
     image = vtkImageData()
     image.SetDimensions(width, height, 1)
-    rows = numpy.ascontiguousarray(array[::-1]).reshape(-1, components)  # VTK's begin at the bottom
+    rows = array[::-1].astype(native, order="C").reshape(-1, components)  # VTK's begin at the bottom
     image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=True))
     return image
-
-
-def _check_png(content, path):
-    """Raise a ValueError unless these are the bytes of a whole PNG: some of VTK's readers crash on
-    one that was cut short."""
-    if content[:8] != b"\x89PNG\r\n\x1a\n":
-        raise ValueError("'%s' is not a PNG file" % path)
-    position = 8
-    kind = None
-    while kind != b"IEND":
-        head = content[position:position + 8]
-        length, kind = struct.unpack(">I4s", head) if len(head) == 8 else (0, None)
-        end = position + 8 + length
-        check = content[end:end + 4]
-        if len(check) < 4 or zlib.crc32(content[position + 4:end]) != int.from_bytes(check, "big"):
-            raise ValueError("'%s' is a PNG file that is damaged or cut short" % path)
-        position = end + 4

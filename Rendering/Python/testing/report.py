@@ -11,9 +11,16 @@ import struct
 
 from .pictures import write_file
 
+MARK = b"<!DOCTYPE html>\n<!-- report of lambent.testing -->\n"
+
 
 def write_report(path, results):
-    """Write the report of the results, dictionaries as lambent.testing records them."""
+    """Write the report of the results, dictionaries as lambent.testing records them. Only an older
+    report is written over; any other file is an OSError."""
+    if os.path.isfile(path) and os.path.getsize(path):
+        with open(path, "rb") as file:
+            if file.read(len(MARK)) != MARK:
+                raise FileExistsError("'%s' is there, and is no report; choose another name" % path)
     page = string.Template(_text("report.html"))
     failed = sum(result["outcome"] == "failed" for result in results)
     content = page.substitute(

@@ -8,6 +8,8 @@ import os
 import sys
 import tempfile
 
+from .pictures import write_file
+
 
 class EnvironmentRun:
     """A run that the environment steers: LAMBENT_UPDATE_BASELINES=1 accepts what is drawn."""
@@ -16,10 +18,13 @@ class EnvironmentRun:
 
     def __init__(self):
         self.accepted = set()  # the baselines that this run has written
+        self.pending = {}  # pictures and bytes of those that it is still to write: none
 
     @property
     def updates(self):
-        return os.environ.get("LAMBENT_UPDATE_BASELINES") == "1"
+        """Whether a picture of the running test may be accepted."""
+        return (os.environ.get("LAMBENT_UPDATE_BASELINES") == "1"
+                and not unittest_expects_failure())
 
     def baselines(self, test_file):
         """The folder of the baselines of a test in this file."""
@@ -28,6 +33,11 @@ class EnvironmentRun:
     def failures(self):
         """A new folder for the pictures of a failure."""
         return tempfile.mkdtemp(prefix="lambent-failures-")
+
+    def accept(self, baseline, _picture, content):
+        """Make a picture, and these bytes of it, the baseline."""
+        write_file(baseline, content)
+        self.accepted.add(baseline)
 
     def record(self, result):
         """Take note of a comparison's result, a dictionary of strings."""
@@ -43,6 +53,20 @@ def current_run():
     """That of pytest if one of its tests is running, else the environment's."""
     plugin = sys.modules.get("pytest_lambent")
     return (plugin and plugin.running) or _environment_run
+
+
+def unittest_expects_failure():
+    """Whether the test of unittest that is running, if one is, is expected to fail."""
+    unittest = sys.modules.get("unittest")
+    frame = sys._getframe(1)
+    while unittest and frame:
+        test = frame.f_locals.get("self")
+        if isinstance(test, unittest.TestCase):
+            method = getattr(test, test._testMethodName, None)
+            return any(getattr(each, "__unittest_expecting_failure__", False)
+                       for each in (test, method))
+        frame = frame.f_back
+    return False
 
 
 def calling_file():
