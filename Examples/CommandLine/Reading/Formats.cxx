@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Formats.h"
+#include "FileKinds.h"
+#include "Messages.h"
+#include "Readers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+// The build defines these where it has found the library.
+#ifdef LAMBENT_HAS_ASSIMP
+#define LAMBENT_IF_ASSIMP(read) read
+#else
+#define LAMBENT_IF_ASSIMP(read) nullptr
+#endif
+#ifdef LAMBENT_HAS_EXODUS
+#define LAMBENT_IF_EXODUS(read) read
+#else
+#define LAMBENT_IF_EXODUS(read) nullptr
+#endif
+#ifdef LAMBENT_HAS_ENSIGHT
+#define LAMBENT_IF_ENSIGHT(read) read
+#else
+#define LAMBENT_IF_ENSIGHT(read) nullptr
+#endif
+#ifdef LAMBENT_HAS_ZLIB
+constexpr bool HasZlib = true;
+#else
+constexpr bool HasZlib = false;
+#endif
+
+namespace lambent::command
+{
+namespace
+{
+
+constexpr MeshKind Other = MeshKind::Other;
+constexpr Trust Checked = Trust::Checked;
+constexpr Trust Isolated = Trust::Isolated;
+constexpr const char* Vtk = "VTK";
+constexpr const char* Own = "Lambent";
+
+const Format Table[] = {
+  // kind, extensions, description, library, reader, trust, names further files
+  { MeshKind::Vtp, ".vtp", "VTK polygons", Vtk, ReadVtpFile, Checked, false },
+  { MeshKind::LegacyVtk, ".vtk", "VTK legacy: polygons, grids, images", Vtk, ReadLegacyVtkFile,
+    Checked, false },
+  { MeshKind::Vtu, ".vtu", "VTK unstructured grid", Vtk, ReadVtuFile, Checked, false },
+  { MeshKind::Ply, ".ply", "Stanford polygons", Own, ReadPlyFile, Checked, false },
+  { MeshKind::Stl, ".stl", "stereolithography", Vtk, ReadStlFile, Checked, false },
+  { MeshKind::Obj, ".obj", "Wavefront", Vtk, ReadObjFile, Checked, false },
+  { Other, ".off", "Object File Format", Own, ReadOff, Checked, false },
+  { Other, ".vti", "VTK image (with --contour)", Vtk, ReadVti, Isolated, false },
+  { Other, ".vtr", "VTK rectilinear grid", Vtk, ReadVtr, Isolated, false },
+  { Other, ".vts", "VTK structured grid", Vtk, ReadVts, Isolated, false },
+  { Other, ".pvtp .pvtu", "VTK polygons or grid in pieces", Own, ReadPieces, Isolated, true },
+  { Other, ".pvti", "VTK image in pieces (with --contour)", Vtk, ReadPvti, Isolated, true },
+  { Other, ".pvtr", "VTK rectilinear grid in pieces", Vtk, ReadPvtr, Isolated, true },
+  { Other, ".pvts", "VTK structured grid in pieces", Vtk, ReadPvts, Isolated, true },
+  { Other, ".vtm .vtmb", "VTK blocks", Own, ReadBlocks, Isolated, true },
+  { Other, ".vtpd .vtpc", "VTK partitions and collections", Own, ReadBlocks, Isolated, true },
+  { Other, ".pvd", "ParaView time series, its first time", Own, ReadPvd, Isolated, true },
+  { Other, ".gltf .glb", "GL transmission format 2", Vtk, ReadGltf, Isolated, true },
+  { Other, ".dae", "COLLADA", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
+  { Other, ".3ds", "3D Studio", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
+  { Other, ".fbx", "Filmbox", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
+  { Other, ".3mf", "3D manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
+  { Other, ".amf", "additive manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated,
+    false },
+  { Other, ".inp", "AVS UCD grid", Vtk, ReadAvs, Isolated, false },
+  { Other, ".e .ex2 .exo .exii", "Exodus II, its first time", "VTK::IOExodus",
+    LAMBENT_IF_EXODUS(ReadExodus), Isolated, false },
+  { Other, ".case", "EnSight, its first time", "VTK::IOEnSight", LAMBENT_IF_ENSIGHT(ReadEnSight),
+    Isolated, true },
+  { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true },
+};
+
+std::vector<std::string> Words(const char* text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+  {
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// The first bytes of a file in small letters: as legacy files may write their keywords.
+std::string StartOf(const std::string& path)
+{
+  std::string start(1024, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
+  for (char& c : start)
+  {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return start;
+}
+
+} // namespace
+
+bool IsGzipped(const std::string& path)
+{
+  return ExtensionOf(path) == ".gz";
+}
+
+const Format* FindFormat(const std::string& path)
+{
+  const std::string extension =
+    ExtensionOf(IsGzipped(path) ? path.substr(0, path.size() - 3) : path);
+  for (const Format& format : Table)
+  {
+    const std::vector<std::string> known = Words(format.extensions);
+    if (std::find(known.begin(), known.end(), extension) != known.end())
+    {
+      return &format;
+    }
+  }
+  return nullptr;
+}
+
+std::optional<MeshKind> MeshKindOf(const std::string& path)
+{
+  const Format* const format = FindFormat(path);
+  return format ? std::optional(format->kind) : std::nullopt;
+}
+
+Trust TrustIn(const Format& format, const std::string& path)
+{
+  if (format.kind == MeshKind::LegacyVtk)
+  {
+    // What CheckLegacyVtk() checks is cells; sizes of images and grids it leaves to the reader.
+    const std::string start = StartOf(path);
+    const bool hasCells = start.find("polydata") != std::string::npos ||
+      start.find("unstructured_grid") != std::string::npos;
+    return hasCells ? Trust::Checked : Trust::Isolated;
+  }
+  return format.trust;
+}
+
+const Format& RequireFormat(const std::string& path)
+{
+  const Format* const format = FindFormat(path);
+  if (!format)
+  {
+    throw Failure("its kind is not known; its name has to end in one of " + MeshExtensions() +
+      ", or in one of them and .gz");
+  }
+  if (!format->read)
+  {
+    throw Failure(std::string("this build of lambent was made without ") + format->library +
+      ", which reads " + format->extensions +
+      "; install it and build anew, or convert the file to " + "one of " + MeshExtensions());
+  }
+  if (IsGzipped(path) && !HasZlib)
+  {
+    throw Failure("this build of lambent was made without VTK::zlib; unpack it with gunzip first");
+  }
+  return *format;
+}
+
+std::string MeshExtensions()
+{
+  std::string list;
+  for (const Format& format : Table)
+  {
+    if (format.read)
+    {
+      list += (list.empty() ? "" : " ") + std::string(format.extensions);
+    }
+  }
+  return list;
+}
+
+std::string DescribeFormats()
+{
+  const auto row = [](std::string name, std::string what, const std::string& through)
+  {
+    name.resize(std::max<std::size_t>(20, name.size() + 1), ' ');
+    what.resize(std::max<std::size_t>(40, what.size() + 1), ' ');
+    return "  " + name + what + through + "\n";
+  };
+  std::string text = "Reads:\n";
+  for (const Format& format : Table)
+  {
+    text += row(format.extensions, format.description,
+      format.read ? format.library : std::string("not in this build: ") + format.library);
+  }
+  text += row(
+    "(any).gz", "each of these, gzipped", HasZlib ? "VTK::zlib" : "not in this build: VTK::zlib");
+  return text + "Writes:\n  " + PictureExtensions() + "\n";
+}
+
+} // namespace lambent::command

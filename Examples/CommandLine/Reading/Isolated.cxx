@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Isolated.h"
+#include "CheckCells.h"
+#include "MeshPipe.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define LAMBENT_LIMIT_MEMORY 0 // the sanitizers' own maps are larger than any memory
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define LAMBENT_LIMIT_MEMORY 0
+#endif
+#endif
+#ifndef LAMBENT_LIMIT_MEMORY
+#define LAMBENT_LIMIT_MEMORY 1
+#endif
+
+namespace lambent::command
+{
+namespace
+{
+
+void Limit(int resource, rlim_t most)
+{
+  rlimit limit;
+  if (getrlimit(resource, &limit) == 0 && most < limit.rlim_max)
+  {
+    limit.rlim_cur = most;
+    limit.rlim_max = most;
+    setrlimit(resource, &limit);
+  }
+}
+
+/// Called in the child.
+void TakeLimits(unsigned long cpuSeconds)
+{
+  Limit(RLIMIT_CORE, 0);
+  if (cpuSeconds > 0)
+  {
+    Limit(RLIMIT_CPU, cpuSeconds);
+  }
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  if (LAMBENT_LIMIT_MEMORY && pages > 0)
+  {
+    Limit(RLIMIT_AS, static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
+  }
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU })
+  {
+    std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
+  }
+  // Libraries, the C library's checks and std::terminate() print what nobody can use.
+  const int null = open("/dev/null", O_RDWR);
+  dup2(null, STDIN_FILENO);
+  dup2(null, STDOUT_FILENO);
+  dup2(null, STDERR_FILENO);
+}
+
+/// The child's work: reads, and sends what comes of it.
+void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int file,
+  VtkMessages& messages, Progress& progress)
+{
+  MeshPipeWriter pipe(file);
+  progress.Redirect(
+    [&pipe](double fraction) { pipe.Send(MessageTag::Progress, &fraction, sizeof(fraction)); });
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = read();
+    for (const std::string& warning : messages.TakeWarnings())
+    {
+      pipe.Send(MessageTag::Warning, warning);
+    }
+    pipe.Send(mesh);
+    pipe.Send(MessageTag::End, "");
+  }
+  catch (const std::bad_alloc&)
+  {
+    pipe.Send(MessageTag::Error,
+      "it needs more memory than this machine has; is it whole, and of the kind that its name "
+      "tells?");
+  }
+  catch (const std::exception& reason)
+  {
+    pipe.Send(MessageTag::Error, reason.what());
+  }
+}
+
+/// What the child has to say. Null: it ended before it had said all.
+vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
+{
+  MeshPipeReader pipe(file);
+  MessageTag tag;
+  while (pipe.Next(tag))
+  {
+    switch (tag)
+    {
+      case MessageTag::Progress:
+        progress.Update(pipe.TakeNumber());
+        break;
+      case MessageTag::Warning:
+        vtkGenericWarningMacro(<< pipe.TakeText());
+        break;
+      case MessageTag::Error:
+        throw Failure(pipe.TakeText());
+      case MessageTag::Array:
+        pipe.TakeArray();
+        break;
+      case MessageTag::End:
+        return pipe.MakeMesh();
+    }
+  }
+  return nullptr;
+}
+
+/// A child process; killed, if it still runs, and waited for.
+class Child
+{
+public:
+  Child(pid_t id, int file)
+    : Id(id)
+    , File(file)
+  {
+  }
+  ~Child() { this->End(true); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Its status, as waitpid() has it.
+  int End(bool isUnwanted)
+  {
+    if (this->Id > 0)
+    {
+      close(this->File);
+      if (isUnwanted)
+      {
+        kill(this->Id, SIGKILL);
+      }
+      while (waitpid(this->Id, &this->Status, 0) < 0 && errno == EINTR)
+      {
+      }
+      this->Id = 0;
+    }
+    return this->Status;
+  }
+
+private:
+  pid_t Id;
+  int File;
+  int Status = 0;
+};
+
+[[noreturn]] void ThrowEnd(int status, unsigned long cpuSeconds)
+{
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const std::string advice = "; is it whole, and of the kind that its name tells?";
+  if (signal == SIGXCPU || (signal == SIGKILL && cpuSeconds > 0))
+  {
+    throw Failure("its reader came to no end in " + std::to_string(cpuSeconds) +
+      " seconds, or took more memory than this machine has" + advice);
+  }
+  throw Failure("its reader crashed" +
+    (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);
+}
+
+std::uintmax_t SizeOfFolder(const std::filesystem::path& folder, bool& isWhole)
+{
+  namespace fs = std::filesystem;
+  constexpr int mostFiles = 10000; // more would take longer to look at than many files to read
+  std::uintmax_t size = 0;
+  int files = 0;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(
+    folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator() && files < mostFiles; ++files)
+  {
+    std::error_code none;
+    const std::uintmax_t bytes = entry->is_regular_file(none) ? entry->file_size(none) : 0;
+    size += none ? 0 : bytes;
+    entry.increment(error);
+  }
+  isWhole = files < mostFiles;
+  return size;
+}
+
+} // namespace
+
+unsigned long CpuSecondsFor(const std::string& path, bool hasParts)
+{
+  std::error_code error;
+  std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (hasParts)
+  {
+    bool isWhole = false;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    size = SizeOfFolder(folder.empty() ? "." : folder, isWhole);
+    if (!isWhole)
+    {
+      return 0;
+    }
+  }
+  return static_cast<unsigned long>(60 + size / 100000);
+}
+
+vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vtkPolyData>()>& read,
+  unsigned long cpuSeconds, VtkMessages& messages, Progress& progress)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    throw Failure(std::strerror(errno));
+  }
+  const pid_t id = fork();
+  if (id == 0)
+  {
+    close(ends[0]);
+    TakeLimits(cpuSeconds);
+    ReadAndSend(read, ends[1], messages, progress);
+    _exit(0); // destructors and exit handlers are the parent's
+  }
+  close(ends[1]);
+  if (id < 0)
+  {
+    close(ends[0]);
+    throw Failure(
+      std::string("it cannot be read in a process of its own: ") + std::strerror(errno));
+  }
+  Child child(id, ends[0]);
+  const vtkSmartPointer<vtkPolyData> mesh = Receive(ends[0], progress);
+  const int status = child.End(mesh != nullptr);
+  if (!mesh)
+  {
+    ThrowEnd(status, cpuSeconds);
+  }
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    CheckCells(cells, mesh->GetNumberOfPoints()); // a reader that went wrong may still end well
+  }
+  return mesh;
+}
+
+} // namespace lambent::command
