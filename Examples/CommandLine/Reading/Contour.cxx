@@ -36,7 +36,7 @@ bool IsContourable(vtkDataArray* array)
     std::string(array->GetName()) != "vtkValidPointMask";
 }
 
-/// Calls visit(array, isPointData) for each array with a name and single values.
+/// Calls visit(array, isOfPoints) for each array with a name and single values.
 template <typename Visit>
 void ForEachArray(vtkDataSet* data, Visit visit)
 {
@@ -58,7 +58,7 @@ void ForEachArray(vtkDataSet* data, Visit visit)
 /// The name of the array to contour if the user has named none.
 std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
 {
-  std::set<std::string> names;
+  std::set<std::string> ofPoints, ofCells;
   for (vtkDataSet* const volume : volumes)
   {
     vtkDataArray* const scalars = volume->GetPointData()->GetScalars();
@@ -66,8 +66,11 @@ std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
     {
       return scalars->GetName();
     }
-    ForEachArray(volume, [&names](vtkDataArray* array, bool) { names.insert(array->GetName()); });
+    ForEachArray(volume,
+      [&](vtkDataArray* array, bool isOfPoints)
+      { (isOfPoints ? ofPoints : ofCells).insert(array->GetName()); });
   }
+  const std::set<std::string>& names = ofPoints.empty() ? ofCells : ofPoints;
   if (names.size() != 1)
   {
     throw Failure((names.empty() ? "there is no array in it with one value a point or cell"

@@ -6,7 +6,8 @@
  *
  * Images go through vtkFlyingEdges3D, every other volume through
  * vtkContourFilter. Without a name the array is the active scalars of the
- * points, or else the only one with single values. Cell data is first averaged
+ * points, or else the only array of the points, or, where these have none, of
+ * the cells; arrays with several components do not count. Cell data is first averaged
  * at the points (vtkCellDataToPointData).
  */
 

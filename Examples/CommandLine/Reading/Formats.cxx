@@ -44,6 +44,14 @@ constexpr Trust Checked = Trust::Checked;
 constexpr Trust Isolated = Trust::Isolated;
 constexpr const char* Vtk = "VTK";
 constexpr const char* Own = "Lambent";
+#ifdef LAMBENT_HAS_ASSIMP
+// VTK's reader fails where a texture is missing, and crashes where a buffer is; this one does not.
+constexpr const char* Gltf = "assimp";
+constexpr ReadFunction ReadGltfFile = ReadAssimp;
+#else
+constexpr const char* Gltf = "VTK";
+constexpr ReadFunction ReadGltfFile = ReadGltf;
+#endif
 
 const Format Table[] = {
   // kind, extensions, description, library, reader, trust, names further files
@@ -65,14 +73,13 @@ const Format Table[] = {
   { Other, ".vtm .vtmb", "VTK blocks", Own, ReadBlocks, Isolated, true },
   { Other, ".vtpd .vtpc", "VTK partitions and collections", Own, ReadBlocks, Isolated, true },
   { Other, ".pvd", "ParaView time series, its first time", Own, ReadPvd, Isolated, true },
-  { Other, ".gltf .glb", "GL transmission format 2", Vtk, ReadGltf, Isolated, true },
+  { Other, ".gltf .glb", "GL transmission format 2", Gltf, ReadGltfFile, Isolated, true },
   { Other, ".dae", "COLLADA", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".3ds", "3D Studio", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".fbx", "Filmbox", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".3mf", "3D manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".amf", "additive manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated,
     false },
-  { Other, ".inp", "AVS UCD grid", Vtk, ReadAvs, Isolated, false },
   { Other, ".e .ex2 .exo .exii", "Exodus II, its first time", "VTK::IOExodus",
     LAMBENT_IF_EXODUS(ReadExodus), Isolated, false },
   { Other, ".case", "EnSight, its first time", "VTK::IOEnSight", LAMBENT_IF_ENSIGHT(ReadEnSight),

@@ -15,51 +15,18 @@
 #include <cstring>
 #include <exception>
 #include <fcntl.h>
-#include <filesystem>
-#include <sys/resource.h>
+#include <new>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LAMBENT_LIMIT_MEMORY 0 // the sanitizers' own maps are larger than any memory
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LAMBENT_LIMIT_MEMORY 0
-#endif
-#endif
-#ifndef LAMBENT_LIMIT_MEMORY
-#define LAMBENT_LIMIT_MEMORY 1
-#endif
 
 namespace lambent::command
 {
 namespace
 {
 
-void Limit(int resource, rlim_t most)
+/// Parts the child from what is the parent's: its handlers, which tidy up, and the terminal.
+void Detach()
 {
-  rlimit limit;
-  if (getrlimit(resource, &limit) == 0 && most < limit.rlim_max)
-  {
-    limit.rlim_cur = most;
-    limit.rlim_max = most;
-    setrlimit(resource, &limit);
-  }
-}
-
-/// Called in the child.
-void TakeLimits(unsigned long cpuSeconds)
-{
-  Limit(RLIMIT_CORE, 0);
-  if (cpuSeconds > 0)
-  {
-    Limit(RLIMIT_CPU, cpuSeconds);
-  }
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  if (LAMBENT_LIMIT_MEMORY && pages > 0)
-  {
-    Limit(RLIMIT_AS, static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
-  }
   for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU })
   {
     std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
@@ -91,8 +58,8 @@ void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int 
   catch (const std::bad_alloc&)
   {
     pipe.Send(MessageTag::Error,
-      "it needs more memory than this machine has; is it whole, and of the kind that its name "
-      "tells?");
+      "its reader asks for far more memory than a file of its size needs; is it whole, and of the "
+      "kind that its name tells?");
   }
   catch (const std::exception& reason)
   {
@@ -164,60 +131,23 @@ private:
   int Status = 0;
 };
 
-[[noreturn]] void ThrowEnd(int status, unsigned long cpuSeconds)
+[[noreturn]] void ThrowEnd(int status, const ChildLimits& limits)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const std::string advice = "; is it whole, and of the kind that its name tells?";
-  if (signal == SIGXCPU || (signal == SIGKILL && cpuSeconds > 0))
+  if (signal == SIGXCPU || signal == SIGKILL) // the latter a second later, or for lack of memory
   {
-    throw Failure("its reader came to no end in " + std::to_string(cpuSeconds) +
+    throw Failure("its reader came to no end in " + std::to_string(limits.seconds) +
       " seconds, or took more memory than this machine has" + advice);
   }
   throw Failure("its reader crashed" +
     (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);
 }
 
-std::uintmax_t SizeOfFolder(const std::filesystem::path& folder, bool& isWhole)
-{
-  namespace fs = std::filesystem;
-  constexpr int mostFiles = 10000; // more would take longer to look at than many files to read
-  std::uintmax_t size = 0;
-  int files = 0;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(
-    folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && entry != fs::recursive_directory_iterator() && files < mostFiles; ++files)
-  {
-    std::error_code none;
-    const std::uintmax_t bytes = entry->is_regular_file(none) ? entry->file_size(none) : 0;
-    size += none ? 0 : bytes;
-    entry.increment(error);
-  }
-  isWhole = files < mostFiles;
-  return size;
-}
-
 } // namespace
 
-unsigned long CpuSecondsFor(const std::string& path, bool hasParts)
-{
-  std::error_code error;
-  std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (hasParts)
-  {
-    bool isWhole = false;
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    size = SizeOfFolder(folder.empty() ? "." : folder, isWhole);
-    if (!isWhole)
-    {
-      return 0;
-    }
-  }
-  return static_cast<unsigned long>(60 + size / 100000);
-}
-
 vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vtkPolyData>()>& read,
-  unsigned long cpuSeconds, VtkMessages& messages, Progress& progress)
+  const ChildLimits& limits, VtkMessages& messages, Progress& progress)
 {
   int ends[2];
   if (pipe(ends) != 0)
@@ -228,7 +158,8 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
   if (id == 0)
   {
     close(ends[0]);
-    TakeLimits(cpuSeconds);
+    Detach();
+    TakeLimits(limits);
     ReadAndSend(read, ends[1], messages, progress);
     _exit(0); // destructors and exit handlers are the parent's
   }
@@ -244,7 +175,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
   const int status = child.End(mesh != nullptr);
   if (!mesh)
   {
-    ThrowEnd(status, cpuSeconds);
+    ThrowEnd(status, limits);
   }
   for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
   {

@@ -9,8 +9,7 @@
  * a child, which hands back the surface through a pipe; whatever happens to the
  * child is one Failure here.
  *
- * 1. fork(). The child drops core dumps and the standard streams, and takes
- *    limits: as much address space as the machine has memory, some CPU time.
+ * 1. fork(). The child lets go of the standard streams and takes its limits.
  * 2. The child reads, and sends its progress on the way; then its warnings,
  *    and the surface or the reason why there is none.
  * 3. The parent takes these, waits for the child, and judges its end.
@@ -22,10 +21,11 @@
 #ifndef Isolated_h
 #define Isolated_h
 
+#include "ChildLimits.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
-#include <string>
 
 class vtkPolyData;
 
@@ -35,14 +35,10 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// CPU time that no reader needs for such a file if it gets anywhere: a minute, and ten seconds
-/// for each megabyte of the file, or of all files in its folder if it names others. 0: no limit.
-unsigned long CpuSecondsFor(const std::string& path, bool hasParts);
-
 /// What `read` returns, computed in a child process; throws Failure as `read` does, and if the
-/// child crashes or exceeds `cpuSeconds` (0: no limit).
+/// child crashes or exceeds its limits.
 vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vtkPolyData>()>& read,
-  unsigned long cpuSeconds, VtkMessages& messages, Progress& progress);
+  const ChildLimits& limits, VtkMessages& messages, Progress& progress);
 
 } // namespace lambent::command
 

@@ -15,7 +15,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -114,10 +116,45 @@ private:
   vtkNew<vtkCellArray> Polygons;
 };
 
+/// While it lives, assimp's warnings of faces and indices that it leaves out are warnings here. The
+/// others are of materials, animations, and the like.
+class GeometryWarnings
+{
+public:
+  GeometryWarnings()
+  {
+    constexpr unsigned int severity = Assimp::Logger::Warn | Assimp::Logger::Err;
+    Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+    Assimp::DefaultLogger::get()->attachStream(new Stream, severity); // the logger's from now on
+  }
+  ~GeometryWarnings() { Assimp::DefaultLogger::kill(); }
+  GeometryWarnings(const GeometryWarnings&) = delete;
+  GeometryWarnings& operator=(const GeometryWarnings&) = delete;
+
+private:
+  struct Stream : Assimp::LogStream
+  {
+    void write(const char* message) override
+    {
+      std::string text = message; // "Warn,  T0: text"
+      text.erase(0, text.find(": ") == std::string::npos ? 0 : text.find(": ") + 2);
+      for (const char* const word : { "face", "indices", "index" })
+      {
+        if (text.find(word) != std::string::npos)
+        {
+          vtkGenericWarningMacro(<< text);
+          return;
+        }
+      }
+    }
+  };
+};
+
 } // namespace
 
 vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string& path, VtkMessages&, Progress&)
 {
+  const GeometryWarnings warnings;
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, LeftOut);
   const aiScene* const scene = importer.ReadFile(path,

@@ -6,7 +6,6 @@
 #include "ReadThroughVtk.h"
 #include "Readers.h"
 
-#include "vtkAVSucdReader.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkOpenFOAMReader.h"
@@ -27,12 +26,6 @@ vtkSmartPointer<vtkDataObject> ReadFoam(
   vtkNew<vtkOpenFOAMReader> reader;
   reader->SetFileName(path.c_str());
   return RunAtFirstTime(reader, messages, progress);
-}
-
-vtkSmartPointer<vtkDataObject> ReadAvs(
-  const std::string& path, VtkMessages& messages, Progress& progress)
-{
-  return Read<vtkAVSucdReader>(path, messages, progress);
 }
 
 #ifdef LAMBENT_HAS_ENSIGHT

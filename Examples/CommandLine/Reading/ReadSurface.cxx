@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> ReadFormat(const Format& format, const std::string&
   {
     return read();
   }
-  return ReadIsolated(read, CpuSecondsFor(path, format.hasParts), messages, progress);
+  return ReadIsolated(read, LimitsFor(path, format.hasParts), messages, progress);
 }
 
 /// The text with the name of a temporary file replaced by that of the file that it came from.

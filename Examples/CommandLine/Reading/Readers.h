@@ -48,7 +48,6 @@ vtkSmartPointer<vtkDataObject> ReadPvd(const std::string&, VtkMessages&, Progres
 vtkSmartPointer<vtkDataObject> ReadOff(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadGltf(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadFoam(const std::string&, VtkMessages&, Progress&);
-vtkSmartPointer<vtkDataObject> ReadAvs(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadExodus(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadEnSight(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string&, VtkMessages&, Progress&);
