@@ -84,7 +84,7 @@ const Format Table[] = {
     LAMBENT_IF_EXODUS(ReadExodus), Isolated, false },
   { Other, ".case", "EnSight, its first time", "VTK::IOEnSight", LAMBENT_IF_ENSIGHT(ReadEnSight),
     Isolated, true },
-  { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true },
+  { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true, true },
 };
 
 std::vector<std::string> Words(const char* text)

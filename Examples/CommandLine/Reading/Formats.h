@@ -56,7 +56,8 @@ struct Format
   const char* library; ///< what reads it: "VTK", "assimp", or "Lambent" itself
   ReadFunction read;   ///< null if `library` was missing when the command was built
   Trust trust;
-  bool hasParts; ///< it names further files, relative to its own folder
+  bool hasParts; ///< it names further files, relative to its own folder, or stands for that
+  bool mayBeEmpty = false; ///< only its name and place matter
 };
 
 /// The format that the name of a file tells, in upper or lower case, gzipped or not; null if it is

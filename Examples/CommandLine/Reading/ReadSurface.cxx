@@ -79,7 +79,8 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& m
   progress.Begin("reading " + path);
   try
   {
-    CheckFile(path);
+    const Format* const known = FindFormat(path);
+    CheckFile(path, known && known->mayBeEmpty);
     const Format& format = RequireFormat(path);
     const vtkSmartPointer<vtkPolyData> mesh = IsGzipped(path)
       ? ReadGzipped(format, path, contour, messages, progress)
