@@ -97,7 +97,7 @@ ChildLimits LimitsFor(const std::string& path, bool hasParts)
   limits.memory = MemoryOfMachine();
   if (size)
   {
-    limits.seconds = static_cast<unsigned long>(30 + *size / 100000);
+    limits.seconds = static_cast<unsigned long>(10 + *size / 100000);
     limits.memory = std::min(limits.memory, (std::uintmax_t{ 2 } << 30) + 256 * *size);
   }
   return limits;

@@ -21,7 +21,7 @@ namespace lambent::command
 
 struct ChildLimits
 {
-  /// CPU seconds: 30, and 10 for each megabyte. 0: no limit.
+  /// CPU seconds: 10, and 10 for each megabyte. 0: no limit.
   unsigned long seconds = 0;
   /// Bytes beyond those in use: 2 GiB, and 256 for each byte of the file; at most the memory of
   /// the machine. 0: no limit.

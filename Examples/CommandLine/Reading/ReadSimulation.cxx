@@ -3,6 +3,7 @@
 
 // The results of simulations, at their first time, with all arrays, so that they can be contoured.
 
+#include "CheckNetCdf.h"
 #include "ReadThroughVtk.h"
 #include "Readers.h"
 
@@ -42,6 +43,7 @@ vtkSmartPointer<vtkDataObject> ReadEnSight(
 vtkSmartPointer<vtkDataObject> ReadExodus(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
+  CheckNetCdf(path);
   vtkNew<vtkExodusIIReader> reader;
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
