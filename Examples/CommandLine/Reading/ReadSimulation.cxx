@@ -4,6 +4,7 @@
 // The results of simulations, at their first time, with all arrays, so that they can be contoured.
 
 #include "CheckNetCdf.h"
+#include "Messages.h"
 #include "ReadThroughVtk.h"
 #include "Readers.h"
 
@@ -35,7 +36,13 @@ vtkSmartPointer<vtkDataObject> ReadEnSight(
 {
   vtkNew<vtkGenericEnSightReader> reader;
   reader->SetCaseFileName(path.c_str());
-  return RunAtFirstTime(reader, messages, progress);
+  const vtkSmartPointer<vtkDataObject> data = RunAtFirstTime(reader, messages, progress);
+  const std::vector<std::string> warnings = messages.TakeWarnings();
+  if (!warnings.empty()) // of files that end too early, after which it goes on
+  {
+    throw Failure(warnings.front() + "; is it whole, with all the files that it names?");
+  }
+  return data;
 }
 #endif
 
