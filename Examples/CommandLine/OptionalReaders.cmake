@@ -11,20 +11,25 @@ if (CMAKE_C_COMPILER)
   find_package(VTK "${VTK_VERSION}" EXACT QUIET OPTIONAL_COMPONENTS IOExodus)
 endif ()
 
+# VTK's targets are there even where what they link is not: ask which components were found.
 set(lacking)
-foreach (pair IN ITEMS "ASSIMP assimp::assimp" "ENSIGHT VTK::IOEnSight" "EXODUS VTK::IOExodus"
-    "ZLIB VTK::zlib")
-  separate_arguments(pair)
-  list(GET pair 0 name)
-  list(GET pair 1 target)
-  if (TARGET ${target})
+foreach (triple IN ITEMS
+    "ASSIMP assimp_FOUND assimp::assimp"
+    "ENSIGHT VTK_IOEnSight_FOUND VTK::IOEnSight"
+    "EXODUS VTK_IOExodus_FOUND VTK::IOExodus"
+    "ZLIB VTK_zlib_FOUND VTK::zlib")
+  separate_arguments(triple)
+  list(GET triple 0 name)
+  list(GET triple 1 is_found)
+  list(GET triple 2 target)
+  if (${is_found} AND TARGET ${target})
     target_link_libraries(LambentCommand PRIVATE ${target})
     target_compile_definitions(LambentCommand PRIVATE LAMBENT_HAS_${name})
   else ()
     list(APPEND lacking ${target})
   endif ()
 endforeach ()
-if (TARGET assimp::assimp)
+if (NOT assimp::assimp IN_LIST lacking)
   target_sources(LambentCommand PRIVATE Reading/ReadAssimp.cxx)
 endif ()
 if (lacking)

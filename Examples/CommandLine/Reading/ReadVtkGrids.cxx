@@ -7,6 +7,7 @@
 
 #include "CheckXml.h"
 #include "Collection.h"
+#include "Messages.h"
 #include "ReadThroughVtk.h"
 #include "Readers.h"
 
@@ -18,15 +19,34 @@
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
 namespace lambent::command
 {
 namespace
 {
 
+/// Where the last array is cut short, not all of these readers say so.
+void CheckEnd(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(path));
+  std::string end(static_cast<std::size_t>(std::min<std::streamoff>(size, 256)), '\0');
+  file.seekg(size - static_cast<std::streamoff>(end.size()));
+  file.read(end.data(), static_cast<std::streamsize>(end.size()));
+  if (end.find("</VTKFile>") == std::string::npos)
+  {
+    throw Failure("it is cut short: it does not end with </VTKFile>; get a whole copy of it");
+  }
+}
+
 template <typename Reader>
 vtkSmartPointer<vtkDataObject> ReadGrid(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
+  CheckEnd(path);
   CheckXml(path);
   return Read<Reader>(path, messages, progress);
 }
