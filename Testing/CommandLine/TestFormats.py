@@ -218,6 +218,15 @@ class TestParts(FormatsTest):
         self.write("circle.vtm", text.replace("parts/back.vtp", "circle.vtm"))
         self.assertIn("in a circle", self.fail_to_read("circle.vtm"))
 
+    def test_cells_that_pieces_repeat_are_drawn_once(self):
+        # The front says that its second cell belongs to its neighbour, which has it, too.
+        front = self.read("parts/front.vtp").decode()
+        ghosts = ('<CellData><DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 1'
+                  '</DataArray></CellData>')
+        self.write("parts/front.vtp", front.replace("<Points>", ghosts + "<Points>"))
+        done = self.run_command("tetrahedron.pvtp", "-o", "x.png", "--verbose", *VIEW)
+        self.assertIn(b"triangles  3\n", done.stderr)
+
     def test_nothing_in_it(self):
         text = self.read("tetrahedron.vtm").decode()
         self.write("empty.vtm", text.replace("back", "empty").replace("front", "empty"))

@@ -74,10 +74,9 @@ std::uintmax_t MemoryInUse()
 void Limit(int resource, std::uintmax_t most)
 {
   rlimit limit;
-  if (getrlimit(resource, &limit) == 0 && most < limit.rlim_max)
+  if (getrlimit(resource, &limit) == 0 && most < limit.rlim_cur)
   {
-    limit.rlim_cur = static_cast<rlim_t>(most);
-    limit.rlim_max = static_cast<rlim_t>(most);
+    limit.rlim_cur = static_cast<rlim_t>(most); // the hard limit of CPU time would be a SIGKILL
     setrlimit(resource, &limit);
   }
 }

@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <sstream>

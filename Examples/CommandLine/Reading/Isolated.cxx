@@ -135,10 +135,14 @@ private:
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const std::string advice = "; is it whole, and of the kind that its name tells?";
-  if (signal == SIGXCPU || signal == SIGKILL) // the latter a second later, or for lack of memory
+  if (signal == SIGXCPU)
   {
     throw Failure("its reader came to no end in " + std::to_string(limits.seconds) +
-      " seconds, or took more memory than this machine has" + advice);
+      " seconds of CPU time" + advice);
+  }
+  if (signal == SIGKILL)
+  {
+    throw Failure("its reader was killed, perhaps since the machine ran out of memory" + advice);
   }
   throw Failure("its reader crashed" +
     (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);

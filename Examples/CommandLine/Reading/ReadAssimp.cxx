@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The meshes of a scene that assimp reads, each as often as nodes show it, where these put it.
-// Colours, textures, bones and animations are left out; points that differ in nothing else become
-// one, so that computed normals are smooth across them.
+// Colours, textures, bones and animations are left out. In kinds that give each face points of its
+// own, those that differ in nothing else become one, so that computed normals are smooth across
+// them.
 
+#include "FileKinds.h"
 #include "Messages.h"
 #include "Readers.h"
 
@@ -157,8 +159,13 @@ vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string& path, VtkMessages&,
   const GeometryWarnings warnings;
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, LeftOut);
-  const aiScene* const scene = importer.ReadFile(path,
-    aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices | aiProcess_ValidateDataStructure);
+  // glTF names its points by index, so that points of equal place are apart on purpose.
+  const std::string extension = ExtensionOf(path);
+  const unsigned int join = extension == ".gltf" || extension == ".glb"
+    ? 0U
+    : static_cast<unsigned int>(aiProcess_JoinIdenticalVertices);
+  const aiScene* const scene =
+    importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_ValidateDataStructure | join);
   if (!scene || !scene->mRootNode)
   {
     throw Failure(

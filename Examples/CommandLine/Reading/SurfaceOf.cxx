@@ -12,7 +12,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -74,7 +73,6 @@ vtkSmartPointer<vtkPolyData> OuterSurface(
 {
   if (auto* const mesh = vtkPolyData::SafeDownCast(data))
   {
-    mesh->RemoveGhostCells(); // a piece may repeat those of its neighbours
     return mesh;
   }
   if (vtkImageData::SafeDownCast(data))
@@ -129,6 +127,11 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
   std::vector<vtkDataSet*> volumes;
   for (vtkDataSet* const dataSet : dataSets)
   {
+    auto* const mesh = vtkPolyData::SafeDownCast(dataSet);
+    if (mesh && dataSet != data)
+    {
+      mesh->RemoveGhostCells(); // a piece may repeat cells of its neighbours
+    }
     if (contour && IsVolume(dataSet))
     {
       volumes.push_back(dataSet);
