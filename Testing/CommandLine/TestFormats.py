@@ -16,7 +16,8 @@ import commandline as make
 from commandline import CommandTest, TETRAHEDRON
 
 FORMATS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Formats")
-VIEW = ("--direction", "1,2,3", "--size", "64x48")
+# A camera that stands still, so that it shows where a surface is.
+VIEW = ("--camera-position", "4,5,7", "--focal-point", "1,0.6,0.6", "--size", "64x48")
 FLAT = ("--shading", "flat")
 
 CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
