@@ -147,6 +147,15 @@ class TestFormatsList(FormatsTest):
             self.assertIn("its kind is not known", line)
             self.assertIn(".vtp .vtk .vtu", line)
 
+    def test_kinds_that_are_not_read(self):
+        for name, remedy in (("mesh.msh", "meshio"), ("mesh.INP", "meshio"), ("brain.gii", "mris_convert"),
+                             ("part.step", "CAD"), ("brain.gii.gz", "mris_convert")):
+            self.write(name, "Dear reader")
+            line = self.fail_to_read(name)
+            self.assertIn("are not read; ", line)
+            self.assertIn(remedy, line)
+            self.assertIn(".vtp .vtk .vtu", line)
+
     def test_kinds_that_this_build_lacks(self):
         for name in set(os.listdir(FORMATS)) - set(self.readable(
                 [name for name in os.listdir(FORMATS) if "." in name])):

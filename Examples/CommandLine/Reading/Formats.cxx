@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <sstream>
-#include <vector>
 
 // The build defines these where it has found the library.
 #ifdef LAMBENT_HAS_ASSIMP
@@ -87,15 +87,32 @@ const Format Table[] = {
   { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true, true },
 };
 
-std::vector<std::string> Words(const char* text)
+/// Kinds that people try, and what to do about them.
+const struct
 {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;)
+  const char* extensions;
+  const char* remedy;
+} NotRead[] = {
+  { ".msh .inp .bdf .nas .med .xdmf .xmf", "convert it with meshio" },
+  { ".gii", "convert it with FreeSurfer's mris_convert" },
+  { ".step .stp .iges .igs .brep", "save a mesh of it from a CAD program" },
+  { ".blend .max .ma .mb .c4d .skp", "export a mesh from the program that made it" },
+  { ".usd .usda .usdc .usdz .abc", "convert it with Blender" },
+  { ".wrl .x3d .dxf .lwo .ac .ms3d .x", "convert it with Blender, MeshLab or assimp" },
+};
+
+/// Whether it is one of the words.
+bool Contains(const char* words, const std::string& word)
+{
+  std::istringstream stream(words);
+  for (std::string known; stream >> known;)
   {
-    words.push_back(word);
+    if (known == word)
+    {
+      return true;
+    }
   }
-  return words;
+  return false;
 }
 
 /// The first bytes of a file in small letters: as legacy files may write their keywords.
@@ -112,6 +129,27 @@ std::string StartOf(const std::string& path)
   return start;
 }
 
+/// Without the ".gz" of a gzipped file.
+std::string InnerExtensionOf(const std::string& path)
+{
+  return ExtensionOf(IsGzipped(path) ? path.substr(0, path.size() - 3) : path);
+}
+
+[[noreturn]] void ThrowUnknown(const std::string& path)
+{
+  const std::string kinds = MeshExtensions() + ", or in one of them and .gz";
+  const std::string extension = InnerExtensionOf(path);
+  for (const auto& [extensions, remedy] : NotRead)
+  {
+    if (Contains(extensions, extension))
+    {
+      throw Failure("files of the kind " + extension + " are not read; " + remedy +
+        ", to a name that ends in one of " + kinds);
+    }
+  }
+  throw Failure("its kind is not known; its name has to end in one of " + kinds);
+}
+
 } // namespace
 
 bool IsGzipped(const std::string& path)
@@ -121,17 +159,10 @@ bool IsGzipped(const std::string& path)
 
 const Format* FindFormat(const std::string& path)
 {
-  const std::string extension =
-    ExtensionOf(IsGzipped(path) ? path.substr(0, path.size() - 3) : path);
-  for (const Format& format : Table)
-  {
-    const std::vector<std::string> known = Words(format.extensions);
-    if (std::find(known.begin(), known.end(), extension) != known.end())
-    {
-      return &format;
-    }
-  }
-  return nullptr;
+  const auto found = std::find_if(std::begin(Table), std::end(Table),
+    [extension = InnerExtensionOf(path)](const Format& format)
+    { return Contains(format.extensions, extension); });
+  return found != std::end(Table) ? found : nullptr;
 }
 
 std::optional<MeshKind> MeshKindOf(const std::string& path)
@@ -158,8 +189,7 @@ const Format& RequireFormat(const std::string& path)
   const Format* const format = FindFormat(path);
   if (!format)
   {
-    throw Failure("its kind is not known; its name has to end in one of " + MeshExtensions() +
-      ", or in one of them and .gz");
+    ThrowUnknown(path);
   }
   if (!format->read)
   {
