@@ -47,6 +47,7 @@ need_build() {
   need "building" g++ cmake ninja-build
   need "the module (VTK, GLM, Highway)" libvtk9-dev libglm-dev libhwy-dev
   need "the command (CLI11)" libcli11-dev
+  need "glTF, COLLADA, FBX, 3DS, 3MF and AMF in the command (assimp)" libassimp-dev
   need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
   need "pictures as tests in pytest" python3-pytest python3-pytest-xdist python3-pil
 }

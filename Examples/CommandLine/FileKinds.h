@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which kinds of files there are, by the end of their names
+ * @brief the kinds of picture files, by the end of their names; Reading/Formats.h has those of
+ * meshes
  */
 
 #ifndef FileKinds_h
@@ -13,16 +14,6 @@
 
 namespace lambent::command
 {
-
-enum class MeshKind
-{
-  Vtp,
-  Vtu,
-  LegacyVtk,
-  Ply,
-  Stl,
-  Obj
-};
 
 enum class PictureKind
 {
@@ -35,11 +26,12 @@ enum class PictureKind
 };
 
 /// The kind that a file's name tells, in upper or lower case; nothing if it is not known.
-std::optional<MeshKind> MeshKindOf(const std::string& path);
 std::optional<PictureKind> PictureKindOf(const std::string& path);
 
+/// The end of a file's name in lower case, such as ".png".
+std::string ExtensionOf(const std::string& path);
+
 /// The extensions as a message lists them: ".png .jpg ...".
-std::string MeshExtensions();
 std::string PictureExtensions();
 
 } // namespace lambent::command

@@ -129,6 +129,11 @@ void VtkMessages::FlushWarnings(const std::string& about)
   }
 }
 
+std::vector<std::string> VtkMessages::TakeWarnings()
+{
+  return this->Listener->TakeWarnings();
+}
+
 void VtkMessages::DropWarnings()
 {
   this->Listener->TakeWarnings();

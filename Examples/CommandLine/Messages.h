@@ -45,6 +45,9 @@ public:
   /// Say the warnings since the last call, each once and prefixed; or drop them if not wanted.
   void FlushWarnings(const std::string& about);
 
+  /// The warnings since the last call, each once.
+  std::vector<std::string> TakeWarnings();
+
   /// Forget the warnings since the last call.
   void DropWarnings();
 

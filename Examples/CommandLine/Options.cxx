@@ -5,6 +5,7 @@
 #include "AddValue.h"
 #include "ComparisonOptions.h"
 #include "FileKinds.h"
+#include "Formats.h"
 #include "Messages.h"
 #include "Recipe.h"
 
@@ -31,7 +32,9 @@ A lamp with cone=DEG shines only that far to either side of the way to focal=x,y
 focal point if not said), with exponent=E falling off inside it. attenuation=a,b,c divides by
 a + b d + c d d at the distance d.
 
-Reads .vtp .vtk .vtu .ply .stl .obj; of volumes the outer surface. Several inputs are one scene.
+Reads VTK's files, .ply .stl .obj .off .gltf .fbx and others, and all of them gzipped; 'lambent
+--formats' lists them. Of volumes it draws the outer surface, or with --contour the surface where
+an array has a value; of a time series the first time. Several inputs are one scene.
 Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a whole new one.
 
 'lambent compare A.png B.png' compares two pictures that are there already; see
@@ -47,6 +50,8 @@ void AddFiles(CLI::App& app, Options& options)
   app.add_option("INPUT", options.inputs, "meshes to draw, together one scene")->type_name("");
   app.add_option("-o,--output", options.output, "picture to write; - is PNG to standard output")
     ->type_name("FILE");
+  AddValue(app, "--contour", "VALUE[,ARRAY]", options.contour, ParseContour,
+    "of volumes, draw the surface where the array has the value");
   AddValue(app, "--size", "WxH", options.size, ParseSize,
     "pixels [1920x1080; with --compare as the baseline]");
   AddValue(
@@ -141,7 +146,12 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
     app.add_flag("--quiet", options.quiet, "no progress bar, no warnings; errors remain");
   app.add_flag("--verbose", options.verbose, "say what was done and how long it took")
     ->excludes(quiet);
-  app.set_version_flag("--version", version);
+  app
+    .add_flag_callback(
+      "--formats", [] { throw CLI::CallForVersion(DescribeFormats(), 0); },
+      "list the kinds of files that are read and written")
+    ->trigger_on_parse();
+  app.set_version_flag("--version", version + "\n");
 }
 
 std::string IsPng(const std::string& path)
@@ -222,10 +232,10 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
     parsed.exitStatus = 0;
     parsed.standardOutput = app.help();
   }
-  catch (const CLI::CallForVersion&)
+  catch (const CLI::CallForVersion& text) // or for the formats
   {
     parsed.exitStatus = 0;
-    parsed.standardOutput = version + "\n";
+    parsed.standardOutput = text.what();
   }
   catch (const CLI::ParseError& error)
   {

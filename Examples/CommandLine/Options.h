@@ -72,6 +72,8 @@ struct Options
   std::optional<std::array<int, 2>> size; ///< absent: that of the baseline, or 1920 x 1080
   Triple background{ 0, 0, 0 };
 
+  std::optional<ContourValue> contour; ///< what to draw of volumes; absent: their outer surface
+
   std::optional<Triple> cameraPosition;
   std::optional<Triple> focalPoint;
   std::optional<Triple> viewUp;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace lambent::command
 {
@@ -34,6 +35,11 @@ void Progress::Update(double fraction)
     return;
   }
   this->NextDraw = Clock::now() + std::chrono::milliseconds(50);
+  if (this->Sink)
+  {
+    this->Sink(fraction);
+    return;
+  }
   this->Visible = true;
 
   constexpr int width = 30;
@@ -43,6 +49,11 @@ void Progress::Update(double fraction)
   std::fprintf(stderr, "\r\033[K[%s] %3d %% %s", bar.c_str(), static_cast<int>(done * 100),
     this->Stage.c_str());
   std::fflush(stderr);
+}
+
+void Progress::Redirect(std::function<void(double)> sink)
+{
+  this->Sink = std::move(sink);
 }
 
 void Progress::Follow(vtkAlgorithm* algorithm)

@@ -9,6 +9,7 @@
 #define Progress_h
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 class vtkAlgorithm;
@@ -37,6 +38,9 @@ public:
   /// Follow an algorithm's progress while it lives.
   void Follow(vtkAlgorithm* algorithm);
 
+  /// From now on draw nothing, and call this instead with how much is done: in a child process.
+  void Redirect(std::function<void(double)> sink);
+
   /// Take the bar off the terminal; the next Update() brings it back.
   void Erase();
 
@@ -45,6 +49,7 @@ private:
   bool Enabled;
   bool Visible = false;
   std::string Stage;
+  std::function<void(double)> Sink;
   Clock::time_point NextDraw;
 };
 

@@ -93,6 +93,18 @@ TemporaryFile::TemporaryFile(const std::string& target)
   close(file);
 }
 
+TemporaryFile::TemporaryFile(const std::string& folder, const std::string& extension)
+{
+  this->Path = (std::filesystem::path(folder) / (".lambent-XXXXXX" + extension)).string();
+  const int file = mkstemps(this->Path.data(), static_cast<int>(extension.size()));
+  if (file < 0)
+  {
+    throw Failure(std::string(std::strerror(errno)) + " in the folder '" + folder + "'");
+  }
+  close(file);
+  RemoveOnSignal(this->Path);
+}
+
 TemporaryFile::~TemporaryFile()
 {
   if (!this->Path.empty())

@@ -24,6 +24,8 @@ class TemporaryFile
 public:
   /// Makes the file, empty. Throws Failure if that cannot be: no such folder, no permission.
   explicit TemporaryFile(const std::string& target);
+  /// Makes an empty file in a folder that never becomes another: its name is new, its end given.
+  TemporaryFile(const std::string& folder, const std::string& extension);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;

@@ -140,6 +140,22 @@ std::array<int, 2> ParseSize(const std::string& text)
   return size;
 }
 
+ContourValue ParseContour(const std::string& text)
+{
+  const std::size_t comma = text.find(',');
+  ContourValue contour;
+  contour.value = ParseNumber(text.substr(0, comma));
+  if (comma != std::string::npos)
+  {
+    contour.array = text.substr(comma + 1);
+    if (contour.array.empty())
+    {
+      throw BadValue("'" + text + "' names no array behind its comma");
+    }
+  }
+  return contour;
+}
+
 namespace
 {
 void SetLightItem(LightValue& light, const std::string& key, const std::string& value)

@@ -51,6 +51,13 @@ struct LightValue
   Triple focus{ 0, 0, 0 }; ///< what the cone points at; without it the camera's focal point
 };
 
+/// A surface in a volume as `--contour` describes it.
+struct ContourValue
+{
+  double value = 0;
+  std::string array; ///< empty: the one that the volume's data makes obvious, see Contour.h
+};
+
 /// The parts of a text between separators; an empty text has one empty part.
 std::vector<std::string> Split(const std::string& text, char separator);
 
@@ -77,6 +84,9 @@ Triple ParseColor(const std::string& text);
 
 /// WIDTHxHEIGHT, each at least 1.
 std::array<int, 2> ParseSize(const std::string& text);
+
+/// VALUE or VALUE,ARRAY; the name of an array may have commas in it.
+ContourValue ParseContour(const std::string& text);
 
 /// position=x,y,z or direction=x,y,z, and more key=value pairs, joined by colons or semicolons.
 LightValue ParseLight(const std::string& text);

@@ -47,7 +47,7 @@ Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progr
   Meshes meshes;
   for (const std::string& path : options.inputs)
   {
-    meshes.push_back(ReadSurface(path, messages, progress));
+    meshes.push_back(ReadSurface(path, messages, progress, options.contour));
     progress.Erase();
     messages.FlushWarnings("'" + path + "': ");
   }

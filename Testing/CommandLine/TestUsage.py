@@ -23,7 +23,8 @@ class TestUsage(CommandTest):
                        "--headlight", "--diffuse", "--ambient", "--color", "--ambient-color",
                        "--shading", "--ambient-model", "--background", "--threads", "--quiet",
                        "--verbose", "--version", "--compare", "--metric", "--tolerance",
-                       "--difference", "--report", "--name", "--recreate"):
+                       "--difference", "--report", "--name", "--recreate", "--contour",
+                       "--formats"):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 

@@ -14,7 +14,7 @@
 namespace lambent::command
 {
 
-void CheckFile(const std::string& path)
+void CheckFile(const std::string& path, bool mayBeEmpty)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -35,7 +35,7 @@ void CheckFile(const std::string& path)
   {
     throw Failure(std::string(std::strerror(errno)) + "; check its permissions");
   }
-  if (std::filesystem::file_size(path, error) == 0)
+  if (!mayBeEmpty && std::filesystem::file_size(path, error) == 0)
   {
     throw Failure("it is empty; get a whole copy of it");
   }

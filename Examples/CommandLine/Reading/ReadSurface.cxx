@@ -2,130 +2,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadSurface.h"
-#include "CheckCells.h"
 #include "CheckFile.h"
-#include "CheckLegacyVtk.h"
 #include "CheckPolygons.h"
-#include "CheckXml.h"
-#include "FileKinds.h"
+#include "Formats.h"
+#include "Isolated.h"
 #include "Messages.h"
 #include "Progress.h"
-#include "ReadObj.h"
-#include "ReadPly.h"
-#include "ReadStl.h"
+#include "SurfaceOf.h"
+#include "UnpackedFile.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkCellArray.h"
-#include "vtkDataSetSurfaceFilter.h"
-#include "vtkErrorCode.h"
-#include "vtkGenericDataObjectReader.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 namespace lambent::command
 {
 namespace
 {
 
-/// Runs a reader and gives its output, or throws what it has to say.
-template <typename Reader>
-vtkSmartPointer<vtkDataObject> Read(
-  const std::string& path, VtkMessages& messages, Progress& progress)
+vtkSmartPointer<vtkPolyData> ReadFormat(const Format& format, const std::string& path,
+  const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress)
 {
-  vtkNew<Reader> reader;
-  progress.Follow(reader);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  const std::string error = messages.TakeError();
-  if (!error.empty())
+  const auto read = [&]() -> vtkSmartPointer<vtkPolyData>
   {
-    throw Failure(error + "; is it whole, and of the kind that its name tells?");
-  }
-  if (reader->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw Failure(std::string(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode())) +
-      "; is it whole, and of the kind that its name tells?");
-  }
-  return reader->GetOutputDataObject(0);
-}
-
-vtkSmartPointer<vtkDataObject> ReadAnyKind(
-  const std::string& path, VtkMessages& messages, Progress& progress)
-{
-  const std::optional<MeshKind> kind = MeshKindOf(path);
-  if (!kind)
-  {
-    throw Failure("its kind is not known; its name has to end in one of " + MeshExtensions());
-  }
-  const auto follow = [&progress](double fraction) { progress.Update(fraction); };
-  switch (*kind)
-  {
-    case MeshKind::Vtp:
-      CheckXml(path);
-      return Read<vtkXMLPolyDataReader>(path, messages, progress);
-    case MeshKind::Vtu:
-      CheckXml(path);
-      return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
-    case MeshKind::LegacyVtk:
-      CheckLegacyVtk(path);
-      return Read<vtkGenericDataObjectReader>(path, messages, progress);
-    case MeshKind::Obj:
-      return ReadObj(path, follow);
-    case MeshKind::Stl:
-      return ReadStl(path, follow);
-    case MeshKind::Ply:
-      break;
-  }
-  return ReadPly(path, follow);
-}
-
-vtkSmartPointer<vtkPolyData> SurfaceOf(
-  vtkDataObject* data, VtkMessages& messages, Progress& progress)
-{
-  vtkDataSet* const dataSet = vtkDataSet::SafeDownCast(data);
-  if (!dataSet || dataSet->GetNumberOfPoints() == 0)
-  {
-    throw Failure("there is no mesh in it");
-  }
-  if (auto* const mesh = vtkPolyData::SafeDownCast(dataSet))
-  {
-    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
-    {
-      CheckCells(cells, mesh->GetNumberOfPoints());
-    }
+    const vtkSmartPointer<vtkDataObject> data = format.read(path, messages, progress);
+    const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, contour, messages, progress);
+    CheckPolygons(mesh, data);
     return mesh;
-  }
-  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(dataSet))
+  };
+  if (TrustIn(format, path) == Trust::Checked)
   {
-    CheckCells(grid);
+    return read();
   }
-  vtkNew<vtkDataSetSurfaceFilter> surface;
-  progress.Follow(surface);
-  surface->SetInputData(dataSet);
-  surface->Update();
-  const std::string error = messages.TakeError();
-  if (!error.empty())
+  return ReadIsolated(read, LimitsFor(path, format.hasParts), messages, progress);
+}
+
+/// The text with the name of a temporary file replaced by that of the file that it came from.
+std::string Renamed(std::string text, const std::string& temporary, const std::string& path)
+{
+  for (std::size_t at = 0; (at = text.find(temporary, at)) != std::string::npos;)
   {
-    throw Failure(error);
+    text.replace(at, temporary.size(), path);
+    at += path.size();
   }
-  return surface->GetOutput();
+  return text;
+}
+
+vtkSmartPointer<vtkPolyData> ReadGzipped(const Format& format, const std::string& path,
+  const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress)
+{
+  const UnpackedFile unpacked(path, format.hasParts);
+  try
+  {
+    return ReadFormat(format, unpacked.GetPath(), contour, messages, progress);
+  }
+  catch (const std::exception& reason)
+  {
+    throw Failure(Renamed(reason.what(), unpacked.GetPath(), path));
+  }
 }
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> ReadSurface(
-  const std::string& path, VtkMessages& messages, Progress& progress)
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& messages,
+  Progress& progress, const std::optional<ContourValue>& contour)
 {
   progress.Begin("reading " + path);
   try
   {
-    CheckFile(path);
-    const vtkSmartPointer<vtkDataObject> data = ReadAnyKind(path, messages, progress);
-    const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, messages, progress);
-    CheckPolygons(mesh, data);
+    const Format* const known = FindFormat(path);
+    CheckFile(path, known && known->mayBeEmpty);
+    const Format& format = RequireFormat(path);
+    const vtkSmartPointer<vtkPolyData> mesh = IsGzipped(path)
+      ? ReadGzipped(format, path, contour, messages, progress)
+      : ReadFormat(format, path, contour, messages, progress);
     return mesh;
   }
   catch (const std::exception& reason) // a Failure, or memory that is not there

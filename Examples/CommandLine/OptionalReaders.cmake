@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Libraries that read further kinds of files. Without one the command is built all the same, and
+# `lambent --formats` tells what it lacks.
+find_package(assimp 5 QUIET)
+include(CheckLanguage)
+check_language(C) # VTK's search for HDF5, which Exodus files are made of, compiles some
+if (CMAKE_C_COMPILER)
+  enable_language(C)
+  find_package(VTK "${VTK_VERSION}" EXACT QUIET OPTIONAL_COMPONENTS IOExodus)
+endif ()
+
+# VTK's targets are there even where what they link is not: ask which components were found.
+set(lacking)
+foreach (triple IN ITEMS
+    "ASSIMP assimp_FOUND assimp::assimp"
+    "ENSIGHT VTK_IOEnSight_FOUND VTK::IOEnSight"
+    "EXODUS VTK_IOExodus_FOUND VTK::IOExodus"
+    "ZLIB VTK_zlib_FOUND VTK::zlib")
+  separate_arguments(triple)
+  list(GET triple 0 name)
+  list(GET triple 1 is_found)
+  list(GET triple 2 target)
+  if (${is_found} AND TARGET ${target})
+    target_link_libraries(LambentCommand PRIVATE ${target})
+    target_compile_definitions(LambentCommand PRIVATE LAMBENT_HAS_${name})
+  else ()
+    list(APPEND lacking ${target})
+  endif ()
+endforeach ()
+if (NOT assimp::assimp IN_LIST lacking)
+  target_sources(LambentCommand PRIVATE Reading/ReadAssimp.cxx)
+endif ()
+if (lacking)
+  message(STATUS "The command lambent reads fewer kinds of files without ${lacking}")
+endif ()

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Isolated.h"
+#include "CheckCells.h"
+#include "MeshPipe.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <new>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace lambent::command
+{
+namespace
+{
+
+/// Parts the child from what is the parent's: its handlers, which tidy up, and the terminal.
+void Detach()
+{
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU })
+  {
+    std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
+  }
+  // Libraries, the C library's checks and std::terminate() print what nobody can use.
+  const int null = open("/dev/null", O_RDWR);
+  dup2(null, STDIN_FILENO);
+  dup2(null, STDOUT_FILENO);
+  dup2(null, STDERR_FILENO);
+}
+
+/// The child's work: reads, and sends what comes of it.
+void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int file,
+  VtkMessages& messages, Progress& progress)
+{
+  MeshPipeWriter pipe(file);
+  progress.Redirect(
+    [&pipe](double fraction) { pipe.Send(MessageTag::Progress, &fraction, sizeof(fraction)); });
+  try
+  {
+    const vtkSmartPointer<vtkPolyData> mesh = read();
+    for (const std::string& warning : messages.TakeWarnings())
+    {
+      pipe.Send(MessageTag::Warning, warning);
+    }
+    pipe.Send(mesh);
+    pipe.Send(MessageTag::End, "");
+  }
+  catch (const std::bad_alloc&)
+  {
+    pipe.Send(MessageTag::Error,
+      "its reader asks for far more memory than a file of its size needs; is it whole, and of the "
+      "kind that its name tells?");
+  }
+  catch (const std::exception& reason)
+  {
+    pipe.Send(MessageTag::Error, reason.what());
+  }
+}
+
+/// What the child has to say. Null: it ended before it had said all.
+vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
+{
+  MeshPipeReader pipe(file);
+  MessageTag tag;
+  while (pipe.Next(tag))
+  {
+    switch (tag)
+    {
+      case MessageTag::Progress:
+        progress.Update(pipe.TakeNumber());
+        break;
+      case MessageTag::Warning:
+        vtkGenericWarningMacro(<< pipe.TakeText());
+        break;
+      case MessageTag::Error:
+        throw Failure(pipe.TakeText());
+      case MessageTag::Array:
+        pipe.TakeArray();
+        break;
+      case MessageTag::End:
+        return pipe.MakeMesh();
+    }
+  }
+  return nullptr;
+}
+
+/// A child process; killed, if it still runs, and waited for.
+class Child
+{
+public:
+  Child(pid_t id, int file)
+    : Id(id)
+    , File(file)
+  {
+  }
+  ~Child() { this->End(true); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Its status, as waitpid() has it.
+  int End(bool isUnwanted)
+  {
+    if (this->Id > 0)
+    {
+      close(this->File);
+      if (isUnwanted)
+      {
+        kill(this->Id, SIGKILL);
+      }
+      while (waitpid(this->Id, &this->Status, 0) < 0 && errno == EINTR)
+      {
+      }
+      this->Id = 0;
+    }
+    return this->Status;
+  }
+
+private:
+  pid_t Id;
+  int File;
+  int Status = 0;
+};
+
+[[noreturn]] void ThrowEnd(int status, const ChildLimits& limits)
+{
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const std::string advice = "; is it whole, and of the kind that its name tells?";
+  if (signal == SIGXCPU)
+  {
+    throw Failure("its reader came to no end in " + std::to_string(limits.seconds) +
+      " seconds of CPU time" + advice);
+  }
+  if (signal == SIGKILL)
+  {
+    throw Failure("its reader was killed, perhaps since the machine ran out of memory" + advice);
+  }
+  throw Failure("its reader crashed" +
+    (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vtkPolyData>()>& read,
+  const ChildLimits& limits, VtkMessages& messages, Progress& progress)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    throw Failure(std::strerror(errno));
+  }
+  const pid_t id = fork();
+  if (id == 0)
+  {
+    close(ends[0]);
+    Detach();
+    TakeLimits(limits);
+    ReadAndSend(read, ends[1], messages, progress);
+    _exit(0); // destructors and exit handlers are the parent's
+  }
+  close(ends[1]);
+  if (id < 0)
+  {
+    close(ends[0]);
+    throw Failure(
+      std::string("it cannot be read in a process of its own: ") + std::strerror(errno));
+  }
+  Child child(id, ends[0]);
+  const vtkSmartPointer<vtkPolyData> mesh = Receive(ends[0], progress);
+  const int status = child.End(mesh != nullptr);
+  if (!mesh)
+  {
+    ThrowEnd(status, limits);
+  }
+  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+  {
+    CheckCells(cells, mesh->GetNumberOfPoints()); // a reader that went wrong may still end well
+  }
+  return mesh;
+}
+
+} // namespace lambent::command

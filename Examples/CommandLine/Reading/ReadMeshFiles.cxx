@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The readers of this file run in the command's own process: each has a check of its own.
+
+#include "CheckLegacyVtk.h"
+#include "CheckXml.h"
+#include "Progress.h"
+#include "ReadObj.h"
+#include "ReadPly.h"
+#include "ReadStl.h"
+#include "ReadThroughVtk.h"
+#include "Readers.h"
+
+#include "vtkGenericDataObjectReader.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+namespace lambent::command
+{
+namespace
+{
+
+auto Follow(Progress& progress)
+{
+  return [&progress](double fraction) { progress.Update(fraction); };
+}
+
+} // namespace
+
+vtkSmartPointer<vtkDataObject> ReadVtpFile(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  CheckXml(path);
+  return Read<vtkXMLPolyDataReader>(path, messages, progress);
+}
+
+vtkSmartPointer<vtkDataObject> ReadVtuFile(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  CheckXml(path);
+  return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
+}
+
+vtkSmartPointer<vtkDataObject> ReadLegacyVtkFile(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  CheckLegacyVtk(path);
+  return Read<vtkGenericDataObjectReader>(path, messages, progress);
+}
+
+vtkSmartPointer<vtkDataObject> ReadObjFile(
+  const std::string& path, VtkMessages&, Progress& progress)
+{
+  return ReadObj(path, Follow(progress));
+}
+
+vtkSmartPointer<vtkDataObject> ReadStlFile(
+  const std::string& path, VtkMessages&, Progress& progress)
+{
+  return ReadStl(path, Follow(progress));
+}
+
+vtkSmartPointer<vtkDataObject> ReadPlyFile(
+  const std::string& path, VtkMessages&, Progress& progress)
+{
+  return ReadPly(path, Follow(progress));
+}
+
+} // namespace lambent::command

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The results of simulations, at their first time, with all arrays, so that they can be contoured.
+
+#include "CheckNetCdf.h"
+#include "Messages.h"
+#include "ReadThroughVtk.h"
+#include "Readers.h"
+
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkOpenFOAMReader.h"
+
+#ifdef LAMBENT_HAS_ENSIGHT
+#include "vtkGenericEnSightReader.h"
+#endif
+#ifdef LAMBENT_HAS_EXODUS
+#include "vtkExodusIIReader.h"
+#endif
+
+namespace lambent::command
+{
+
+vtkSmartPointer<vtkDataObject> ReadFoam(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  vtkNew<vtkOpenFOAMReader> reader;
+  reader->SetFileName(path.c_str());
+  return RunAtFirstTime(reader, messages, progress);
+}
+
+#ifdef LAMBENT_HAS_ENSIGHT
+vtkSmartPointer<vtkDataObject> ReadEnSight(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  vtkNew<vtkGenericEnSightReader> reader;
+  reader->SetCaseFileName(path.c_str());
+  const vtkSmartPointer<vtkDataObject> data = RunAtFirstTime(reader, messages, progress);
+  const std::vector<std::string> warnings = messages.TakeWarnings();
+  if (!warnings.empty()) // of files that end too early, after which it goes on
+  {
+    throw Failure(warnings.front() + "; is it whole, with all the files that it names?");
+  }
+  return data;
+}
+#endif
+
+#ifdef LAMBENT_HAS_EXODUS
+vtkSmartPointer<vtkDataObject> ReadExodus(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  CheckNetCdf(path);
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  return RunAtFirstTime(reader, messages, progress);
+}
+#endif
+
+} // namespace lambent::command

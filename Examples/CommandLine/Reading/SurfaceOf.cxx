@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SurfaceOf.h"
+#include "CheckCells.h"
+#include "Messages.h"
+#include "Progress.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+namespace lambent::command
+{
+namespace
+{
+
+using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+void CheckDataSet(vtkDataSet* data)
+{
+  if (auto* const mesh = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
+    {
+      CheckCells(cells, mesh->GetNumberOfPoints());
+    }
+  }
+  else if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    CheckCells(grid);
+  }
+}
+
+/// The data sets with points in a data object, each checked.
+std::vector<vtkDataSet*> DataSetsIn(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> found;
+  const auto add = [&found](vtkDataObject* object)
+  {
+    auto* const dataSet = vtkDataSet::SafeDownCast(object);
+    if (dataSet && dataSet->GetNumberOfPoints() > 0)
+    {
+      CheckDataSet(dataSet);
+      found.push_back(dataSet);
+    }
+  };
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      add(iterator->GetCurrentDataObject());
+    }
+  }
+  else
+  {
+    add(data);
+  }
+  return found;
+}
+
+vtkSmartPointer<vtkPolyData> OuterSurface(
+  vtkDataSet* data, VtkMessages& messages, Progress& progress)
+{
+  if (auto* const mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return mesh;
+  }
+  if (vtkImageData::SafeDownCast(data))
+  {
+    throw Failure("it is an image, which has no surface of its own; name one with "
+                  "--contour VALUE[,ARRAY]; its arrays: " +
+      DescribeArrays({ data }));
+  }
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  progress.Follow(surface);
+  surface->SetInputData(data);
+  surface->Update();
+  const std::string error = messages.TakeError();
+  if (!error.empty())
+  {
+    throw Failure(error);
+  }
+  return surface->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Append(const Surfaces& surfaces, VtkMessages& messages)
+{
+  if (surfaces.size() == 1)
+  {
+    return surfaces.front();
+  }
+  vtkNew<vtkAppendPolyData> append;
+  for (vtkPolyData* const surface : surfaces)
+  {
+    append->AddInputData(surface);
+  }
+  append->Update();
+  const std::string error = messages.TakeError();
+  if (!error.empty())
+  {
+    throw Failure(error);
+  }
+  return append->GetOutput();
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
+  const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress)
+{
+  const std::vector<vtkDataSet*> dataSets = DataSetsIn(data);
+  if (dataSets.empty())
+  {
+    throw Failure("there is no mesh in it");
+  }
+  Surfaces surfaces;
+  std::vector<vtkDataSet*> volumes;
+  for (vtkDataSet* const dataSet : dataSets)
+  {
+    auto* const mesh = vtkPolyData::SafeDownCast(dataSet);
+    if (mesh && dataSet != data)
+    {
+      mesh->RemoveGhostCells(); // a piece may repeat cells of its neighbours
+    }
+    if (contour && IsVolume(dataSet))
+    {
+      volumes.push_back(dataSet);
+    }
+    else
+    {
+      surfaces.push_back(OuterSurface(dataSet, messages, progress));
+    }
+  }
+  if (!volumes.empty())
+  {
+    const Surfaces contours = ContoursOf(volumes, *contour, messages, progress);
+    surfaces.insert(surfaces.end(), contours.begin(), contours.end());
+  }
+  else if (contour)
+  {
+    vtkGenericWarningMacro("there is no volume in it for --contour; it is drawn as it is");
+  }
+  return Append(surfaces, messages);
+}
+
+} // namespace lambent::command
