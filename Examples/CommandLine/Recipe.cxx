@@ -57,6 +57,10 @@ bool NamesTheView(const std::vector<std::string>& words)
 Options ParseRecipe(const std::string& command)
 {
   std::vector<std::string> words = SplitWords(command);
+  if (words.empty() || words.front() != "lambent")
+  {
+    throw Failure("its command is not one of lambent: " + OneLine(command));
+  }
   if (!NamesTheView(words)) // an older version drew it
   {
     words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
