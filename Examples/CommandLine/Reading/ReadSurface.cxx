@@ -4,11 +4,13 @@
 #include "ReadSurface.h"
 #include "CheckCells.h"
 #include "CheckFile.h"
-#include "CheckLegacyVtk.h"
-#include "CheckXml.h"
+#include "CheckXmlType.h"
+#include "CheckedXmlReader.h"
 #include "FileKinds.h"
+#include "LinearCells.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "ReadLegacyVtk.h"
 #include "ReadPly.h"
 
 #include "vtkAlgorithm.h"
@@ -27,6 +29,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <type_traits>
 
 namespace lambent::command
 {
@@ -79,6 +82,13 @@ vtkSmartPointer<vtkDataObject> Read(
   progress.Follow(reader);
   reader->SetFileName(path.c_str());
   reader->Update();
+  if constexpr (std::is_base_of_v<CheckedReader, Reader>)
+  {
+    if (!reader->GetFailure().empty())
+    {
+      throw Failure(reader->GetFailure());
+    }
+  }
   const std::string error = messages.TakeError();
   if (!error.empty())
   {
@@ -92,6 +102,21 @@ vtkSmartPointer<vtkDataObject> Read(
   return reader->GetOutputDataObject(0);
 }
 
+vtkSmartPointer<vtkDataObject> ReadLegacyVtk(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  switch (LegacyTypeOf(path))
+  {
+    case LegacyType::PolyData:
+      return Read<LegacyPolyDataReader>(path, messages, progress);
+    case LegacyType::UnstructuredGrid:
+      return Read<LegacyGridReader>(path, messages, progress);
+    case LegacyType::Other:
+      break;
+  }
+  return Read<vtkGenericDataObjectReader>(path, messages, progress);
+}
+
 vtkSmartPointer<vtkDataObject> ReadAnyKind(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
@@ -103,14 +128,14 @@ vtkSmartPointer<vtkDataObject> ReadAnyKind(
   switch (*kind)
   {
     case MeshKind::Vtp:
-      CheckXml(path);
-      return Read<vtkXMLPolyDataReader>(path, messages, progress);
+      CheckVtkStart(path, true);
+      return Read<CheckedXmlReader<vtkXMLPolyDataReader>>(path, messages, progress);
     case MeshKind::Vtu:
-      CheckXml(path);
-      return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
+      CheckVtkStart(path, true);
+      return Read<CheckedXmlReader<vtkXMLUnstructuredGridReader>>(path, messages, progress);
     case MeshKind::LegacyVtk:
-      CheckLegacyVtk(path);
-      return Read<vtkGenericDataObjectReader>(path, messages, progress);
+      CheckVtkStart(path, false);
+      return ReadLegacyVtk(path, messages, progress);
     case MeshKind::Obj:
       CheckObj(path);
       return Read<vtkOBJReader>(path, messages, progress);
@@ -142,22 +167,23 @@ void CheckPolygons(const std::string& path, vtkPolyData* mesh)
 vtkSmartPointer<vtkPolyData> SurfaceOf(
   vtkDataObject* data, VtkMessages& messages, Progress& progress)
 {
-  vtkDataSet* const dataSet = vtkDataSet::SafeDownCast(data);
+  vtkDataSet* dataSet = vtkDataSet::SafeDownCast(data);
   if (!dataSet || dataSet->GetNumberOfPoints() == 0)
   {
     throw Failure("there is no mesh in it");
   }
   if (auto* const mesh = vtkPolyData::SafeDownCast(dataSet))
   {
-    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
-    {
-      CheckCells(cells, mesh->GetNumberOfPoints());
-    }
+    CheckCells(mesh->GetPolys(), mesh->GetNumberOfPoints(), "polygon");
+    CheckCells(mesh->GetStrips(), mesh->GetNumberOfPoints(), "strip");
     return mesh;
   }
+  vtkSmartPointer<vtkUnstructuredGrid> linear;
   if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(dataSet))
   {
     CheckCells(grid);
+    linear = WithLinearCells(grid);
+    dataSet = linear;
   }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   progress.Follow(surface);
