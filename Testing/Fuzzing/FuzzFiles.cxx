@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command reads by itself: PLY files, and legacy VTK files that are looked over before
-// VTK reads them. A Failure, or a sound mesh.
+// What the command reads by itself: PLY files. A Failure, or a sound mesh.
 #include "FuzzInput.h"
 
-#include "CheckLegacyVtk.h"
 #include "Messages.h"
 #include "ReadPly.h"
 
@@ -15,7 +13,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 
 using namespace lambent::command;
 
@@ -58,12 +55,10 @@ void check(vtkPolyData* mesh)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   vtkObject::GlobalWarningDisplayOff(); // of texts whose last line is not ended, as most are here
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   const NamelessFile file(data, size);
   try
   {
-    text.substr(0, 5) == "# vtk" ? CheckLegacyVtk(file.path())
-                                 : check(ReadPly(file.path(), [](double) {}));
+    check(ReadPly(file.path(), [](double) {}));
   }
   catch (const Failure& failure)
   {
