@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
+
 namespace
 {
 
@@ -15,6 +17,17 @@ namespace
 bool IsWholeAsWell(const File& file, std::size_t size)
 {
   return file.extension == ".obj" && file.bytes[size - 1] == '\n';
+}
+
+/// The last number of a text may have lost digits at its end; this cannot be told from a text whose
+/// last line is not ended.
+bool IsWithinLastNumber(const File& file, std::size_t size)
+{
+  const auto isDigit = [&file](std::size_t at)
+  { return at < file.bytes.size() && std::isdigit(static_cast<unsigned char>(file.bytes[at])); };
+  const std::size_t end = file.bytes.find_first_not_of("0123456789", size);
+  return file.extension == ".vtk" && size > 0 && isDigit(size - 1) && isDigit(size) &&
+    file.bytes.find_first_not_of(" \n", end) == std::string::npos;
 }
 
 bool IsText(const File& file)
@@ -47,7 +60,8 @@ TEST(BrokenFiles, CutBehindEachByte)
       {
         ExpectOneLine(cut.failure, scratch);
       }
-      else if (cut.values != whole.values && !IsWholeAsWell(file, size))
+      else if (cut.values != whole.values && !IsWholeAsWell(file, size) &&
+        !IsWithinLastNumber(file, size))
       {
         EXPECT_NE(cut.warnings.find("cut short"), std::string::npos) << size << " bytes";
         EXPECT_TRUE(IsText(file)) << size << " bytes";

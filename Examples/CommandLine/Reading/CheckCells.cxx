@@ -216,6 +216,10 @@ void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
 void CheckCells(vtkUnstructuredGrid* grid)
 {
   vtkCellArray* const cells = grid->GetCells();
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
   CheckCells(cells, grid->GetNumberOfPoints());
   std::array<Points, 256> pointsOfType; // a type is a byte
   const unsigned char* const types = grid->GetCellTypesArray()->GetPointer(0);

@@ -302,8 +302,8 @@ void AddLagrange(LinearGrid& grid, Shape shape, const Orders& orders)
 
 vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid)
 {
-  const unsigned char* const types = grid->GetCellTypesArray()->GetPointer(0);
   const vtkIdType count = grid->GetNumberOfCells();
+  const unsigned char* const types = count > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
   if (std::all_of(types, types + count,
         [](int type) { return HigherOrderShape(type) == Shape::Linear; }))
   {
