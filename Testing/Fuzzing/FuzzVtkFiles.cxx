@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of VTK's own kinds, legacy and XML, that VTK's readers read with checks in between: a
 // Failure, or cells that the surface filter can be given.
+#include "../Rendering/Sanitizers.h"
 #include "FuzzInput.h"
 
 #include "CheckCells.h"
@@ -22,6 +23,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+
+#if LAMBENT_ADDRESS_SANITIZER
+#include <sanitizer/lsan_interface.h>
+#endif
 
 using namespace lambent::command;
 
@@ -95,6 +100,9 @@ void use(vtkDataObject* data)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
+#if LAMBENT_ADDRESS_SANITIZER
+  const __lsan::ScopedDisabler isTolerated; // VTK's readers lose arrays where a file is broken
+#endif
   vtkObject::GlobalWarningDisplayOff(); // VTK's readers complain about most of this
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const NamelessFile file(data, size);

@@ -5,15 +5,15 @@
 #include "HigherOrder.h"
 #include "Messages.h"
 
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -28,8 +28,26 @@ namespace lambent::command
 namespace
 {
 
-/// Whether wrong(begin, end) returns a number of the highest bit 0 for all parts of the range. As a
-/// sum of bits it takes many numbers at once, and this is as fast as memory.
+/// Calls visit with the values of an array of offsets or ids.
+template <typename Visit>
+auto VisitValues(vtkDataArray* array, const Visit& visit)
+{
+  if (auto* const small = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
+  {
+    return visit(small->GetPointer(0));
+  }
+  auto* large = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array);
+  vtkNew<vtkTypeInt64Array> copy;
+  if (!large) // newer versions of VTK have arrays that are formulas
+  {
+    copy->DeepCopy(array);
+    large = copy;
+  }
+  return visit(large->GetPointer(0));
+}
+
+/// Whether wrong(begin, end) has no highest bit for all parts of the range: a sum of bits, of which
+/// the processor takes many numbers at once, so that this is as fast as memory.
 template <typename Wrong>
 bool IsRight(vtkIdType count, const Wrong& wrong)
 {
@@ -45,23 +63,15 @@ bool IsRight(vtkIdType count, const Wrong& wrong)
   return isRight;
 }
 
-/// Whether the offsets increase from 0 to the number of ids.
-template <typename Array>
-bool AreOffsetsSound(Array* offsets, Array* connectivity)
+/// Whether these are not negative, and none is less than the one before.
+template <typename Value>
+bool Increase(const Value* values, vtkIdType count)
 {
-  using Value = typename Array::ValueType;
   using Bits = std::make_unsigned_t<Value>;
-  const vtkIdType last = offsets->GetNumberOfValues() - 1;
-  if (last < 0 || offsets->GetValue(0) != 0 ||
-    offsets->GetValue(last) != connectivity->GetNumberOfValues())
-  {
-    return false;
-  }
-  const Value* const values = offsets->GetPointer(0);
-  return IsRight(last,
+  return IsRight(count - 1,
     [values](vtkIdType begin, vtkIdType end)
     {
-      Bits wrong = 0; // neither negative nor less than the one before
+      Bits wrong = 0;
       for (vtkIdType k = begin; k < end; ++k)
       {
         wrong |= static_cast<Bits>(values[k]) |
@@ -72,55 +82,37 @@ bool AreOffsetsSound(Array* offsets, Array* connectivity)
 }
 
 /// Whether all ids are from 0 to less than the number of points.
-template <typename Array>
-bool AreIdsRight(Array* connectivity, vtkIdType numberOfPoints)
+template <typename Value>
+bool AreIdsRight(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
-  using Value = typename Array::ValueType;
   using Bits = std::make_unsigned_t<Value>;
+  if (count == 0 || numberOfPoints == 0)
+  {
+    return count == 0;
+  }
   const auto largest = static_cast<Bits>(
     std::min<vtkIdType>(numberOfPoints - 1, std::numeric_limits<Value>::max()));
-  const Value* const ids = connectivity->GetPointer(0);
-  const vtkIdType count = connectivity->GetNumberOfValues();
-  return count == 0 ||
-    (numberOfPoints > 0 &&
-      IsRight(count,
-        [ids, largest](vtkIdType begin, vtkIdType end)
-        {
-          Bits wrong = 0;
-          for (vtkIdType k = begin; k < end; ++k)
-          {
-            wrong |= static_cast<Bits>(ids[k]) | (largest - static_cast<Bits>(ids[k]));
-          }
-          return static_cast<Value>(wrong);
-        }));
+  return IsRight(count,
+    [ids, largest](vtkIdType begin, vtkIdType end)
+    {
+      Bits wrong = 0;
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        wrong |= static_cast<Bits>(ids[k]) | (largest - static_cast<Bits>(ids[k]));
+      }
+      return static_cast<Value>(wrong);
+    });
 }
 
-template <typename Array>
-void CheckOffsetsOf(Array* offsets, Array* connectivity, const std::string& word)
+[[noreturn]] void FailForPoint(
+  vtkCellArray* cells, vtkIdType at, vtkIdType id, vtkIdType numberOfPoints, const char* word)
 {
-  if (!AreOffsetsSound(offsets, connectivity))
-  {
-    throw Failure("it is broken: where each " + word +
-      " begins in the list of their points does not add up; get a whole copy of it");
-  }
-}
-
-template <typename Array>
-void CheckIds(
-  Array* offsets, Array* connectivity, vtkIdType numberOfPoints, const std::string& word)
-{
-  if (AreIdsRight(connectivity, numberOfPoints))
-  {
-    return;
-  }
-  const auto* const ids = connectivity->GetPointer(0);
-  const auto* const wrong = std::find_if(ids, ids + connectivity->GetNumberOfValues(),
-    [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });
-  const auto* const starts = offsets->GetPointer(0);
-  const auto* const next =
-    std::upper_bound(starts, starts + offsets->GetNumberOfValues(), wrong - ids);
-  throw Failure("its " + word + " " + std::to_string(next - starts - 1) + " names point " +
-    std::to_string(*wrong) + ", which does not exist: the file has " +
+  const vtkIdType offsets = cells->GetNumberOfCells() + 1;
+  const vtkIdType cell = VisitValues(cells->GetOffsetsArray(),
+    [offsets, at](const auto* starts) -> vtkIdType
+    { return std::upper_bound(starts, starts + offsets, at) - starts - 1; });
+  throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
+    std::to_string(id) + ", which does not exist: the file has " +
     std::to_string(numberOfPoints) + " points, from 0 on; correct it in the program that " +
     "writes the file, or get a whole copy");
 }
@@ -196,9 +188,18 @@ void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 
 void CheckOffsets(vtkCellArray* cells, const char* word)
 {
-  cells->IsStorage64Bit()
-    ? CheckOffsetsOf(cells->GetOffsetsArray64(), cells->GetConnectivityArray64(), word)
-    : CheckOffsetsOf(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), word);
+  vtkDataArray* const offsets = cells->GetOffsetsArray();
+  const vtkIdType count = offsets->GetNumberOfTuples();
+  const vtkIdType ids = cells->GetConnectivityArray()->GetNumberOfTuples();
+  const bool isSound = count > 0 &&
+    VisitValues(offsets,
+      [count, ids](const auto* values)
+      { return values[0] == 0 && values[count - 1] == ids && Increase(values, count); });
+  if (!isSound)
+  {
+    throw Failure("it is broken: where each " + std::string(word) +
+      " begins in the list of their points does not add up; get a whole copy of it");
+  }
 }
 
 void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
@@ -208,9 +209,18 @@ void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
     return;
   }
   CheckOffsets(cells, word);
-  cells->IsStorage64Bit()
-    ? CheckIds(cells->GetOffsetsArray64(), cells->GetConnectivityArray64(), numberOfPoints, word)
-    : CheckIds(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), numberOfPoints, word);
+  vtkDataArray* const connectivity = cells->GetConnectivityArray();
+  const vtkIdType count = connectivity->GetNumberOfTuples();
+  VisitValues(connectivity,
+    [=](const auto* ids)
+    {
+      if (!AreIdsRight(ids, count, numberOfPoints))
+      {
+        const auto* const wrong = std::find_if(ids, ids + count,
+          [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });
+        FailForPoint(cells, wrong - ids, *wrong, numberOfPoints, word);
+      }
+    });
 }
 
 void CheckCells(vtkUnstructuredGrid* grid)
@@ -222,10 +232,9 @@ void CheckCells(vtkUnstructuredGrid* grid)
   }
   CheckCells(cells, grid->GetNumberOfPoints());
   std::array<Points, 256> pointsOfType; // a type is a byte
-  const unsigned char* const types = grid->GetCellTypesArray()->GetPointer(0);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    const int type = types[cell];
+    const int type = grid->GetCellType(cell);
     if (HigherOrderShape(type) != Shape::Linear)
     {
       CheckHigherOrder(grid, cell, type);

@@ -69,7 +69,9 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   }
   starts[cells] = size - cells;
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(offsets, connectivity);
+  vtkDataArray* const asOffsets = offsets; // the functions for other types differ by VTK's version
+  vtkDataArray* const asConnectivity = connectivity;
+  result->SetData(asOffsets, asConnectivity);
   return result;
 }
 

@@ -15,10 +15,8 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <initializer_list>
 
 namespace lambent::command
@@ -105,7 +103,7 @@ private:
   vtkIdType Cell = 0;
 };
 
-/// The node after the first end are in the order of the line, the other end comes second.
+/// The ends come first, then the nodes between them in the order of the line.
 void AddCurve(LinearGrid& grid)
 {
   vtkNew<vtkIdList> nodes;
@@ -267,7 +265,7 @@ void AddLinear(LinearGrid& grid, Shape shape)
 
 void AddLagrange(LinearGrid& grid, Shape shape, const Orders& orders)
 {
-  // The centres of a wedge with 21 nodes are in none of the orders that VTK numbers.
+  // VTK has no numbering for the wedge of 21 nodes.
   if (shape == Shape::Edge)
   {
     AddCurve(grid);
@@ -303,16 +301,20 @@ void AddLagrange(LinearGrid& grid, Shape shape, const Orders& orders)
 vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
-  const unsigned char* const types = count > 0 ? grid->GetCellTypesArray()->GetPointer(0) : nullptr;
-  if (std::all_of(types, types + count,
-        [](int type) { return HigherOrderShape(type) == Shape::Linear; }))
+  const auto shapeOf = [grid](vtkIdType cell) { return HigherOrderShape(grid->GetCellType(cell)); };
+  vtkIdType first = 0; // that is of any order
+  while (first < count && shapeOf(first) == Shape::Linear)
+  {
+    ++first;
+  }
+  if (first == count)
   {
     return grid;
   }
   LinearGrid linear(grid);
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
-    const int type = types[cell];
+    const int type = grid->GetCellType(cell);
     const Shape shape = HigherOrderShape(type);
     linear.Begin(cell);
     if (shape == Shape::Linear)

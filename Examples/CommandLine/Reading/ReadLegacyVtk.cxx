@@ -8,14 +8,12 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUpdateCellsV8toV9.h"
 
@@ -138,12 +136,12 @@ private:
 /// Up to version 5.0, the nodes of hexahedra of any order are in another order.
 void SortNodes(vtkUnstructuredGrid* grid)
 {
-  const unsigned char* const types = grid->GetCellTypesArray()->GetPointer(0);
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (IsSortedHexahedron(types[cell]))
+    const int type = grid->GetCellType(cell);
+    if (IsSortedHexahedron(type))
     {
-      CheckHigherOrder(grid, cell, types[cell]);
+      CheckHigherOrder(grid, cell, type);
     }
   }
   vtkUpdateCellsV8toV9(grid);
