@@ -173,6 +173,16 @@ class TestReading(CommandTest):
             self.assertIn("its cell 1 of type 5 (vtkTriangle) has 4 points and not 3",
                           self.fail_to_read(name))
 
+    def test_polyhedra_without_faces(self):
+        # VTK's filters follow the list of faces wherever it leads.
+        self.write("wrong.vtu", make.vtu(CUBE, [(0, 1, 2, 4)], 42))
+        self.assertIn("its cell 0 of type 42 (vtkPolyhedron) has no faces; correct",
+                      self.fail_to_read("wrong.vtu"))
+        for stream in ((0,), (4, 3, 0, 1, 2), (1, 3, 0, 1, 9), (1, -3, 0, 1, 2), (1, 9, 0, 1, 2)):
+            self.write("wrong.vtk", make.vtk_grid(CUBE, [stream], 42))
+            self.assertIn("faces" if stream[-1] != 9 else "point 9, which does not exist",
+                          self.fail_to_read("wrong.vtk"))
+
     def test_as_many_types_as_cells(self):
         text = make.vtk_grid(CUBE, [tuple(range(8))] * 2, VOXEL)
         for types, words in (("1\n11\n", "2 CELLS and 1 CELL_TYPES"),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CheckCells.h"
+#include "CheckFaces.h"
 #include "HigherOrder.h"
 #include "Messages.h"
 
@@ -9,7 +10,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -158,29 +158,6 @@ void CheckCount(const Points& points, vtkIdType count, vtkIdType cell, int type)
   {
     throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
       " points; such cells have 6, 8, 10, ... points" + CorrectCell);
-  }
-}
-
-/// The faces of a polyhedron name points that exist.
-void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  vtkNew<vtkIdList> stream; // the number of faces; then of each the number of points, and these
-  grid->GetFaceStream(cell, stream);
-  const vtkIdType size = stream->GetNumberOfIds();
-  vtkIdType at = 1;
-  for (vtkIdType left = size > 0 ? stream->GetId(0) : 0; left > 0 && at < size; --left)
-  {
-    const vtkIdType end = at + 1 + stream->GetId(at);
-    for (++at; at < std::min(end, size); ++at)
-    {
-      const vtkIdType id = stream->GetId(at);
-      if (id < 0 || id >= grid->GetNumberOfPoints())
-      {
-        throw Failure(CellWithType(cell, VTK_POLYHEDRON) + " has a face that names point " +
-          std::to_string(id) + ", which does not exist: the file has " +
-          std::to_string(grid->GetNumberOfPoints()) + " points, from 0 on" + CorrectCell);
-      }
-    }
   }
 }
 

@@ -78,10 +78,14 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
 /// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
 bool IsStreamOfFaces(vtkIdType size, const vtkIdType* stream)
 {
-  vtkIdType at = 1;
-  for (vtkIdType left = size > 0 ? stream[0] : -1; left != 0; --left)
+  if (size < 1 || stream[0] < 1)
   {
-    if (left < 0 || at >= size || stream[at] < 0 || stream[at] > size - at - 1)
+    return false;
+  }
+  vtkIdType at = 1;
+  for (vtkIdType left = stream[0]; left > 0; --left)
+  {
+    if (at >= size || stream[at] < 0 || stream[at] > size - at - 1)
     {
       return false;
     }
