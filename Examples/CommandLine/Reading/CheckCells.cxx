@@ -4,113 +4,69 @@
 #include "CheckCells.h"
 #include "CheckFaces.h"
 #include "HigherOrder.h"
+#include "IdArrays.h"
+#include "ListCheck.h"
 #include "Messages.h"
 
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkGenericCell.h"
-#include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <limits>
 #include <string>
-#include <type_traits>
 
 namespace lambent::command
 {
 namespace
 {
 
-/// Calls visit with the values of an array of offsets or ids.
-template <typename Visit>
-auto VisitValues(vtkDataArray* array, const Visit& visit)
+/// Whether isRight(begin, end) for all parts of a range.
+template <typename Check>
+bool IsRight(vtkIdType count, const Check& isRight)
 {
-  if (auto* const small = vtkAOSDataArrayTemplate<vtkTypeInt32>::FastDownCast(array))
-  {
-    return visit(small->GetPointer(0));
-  }
-  auto* large = vtkAOSDataArrayTemplate<vtkTypeInt64>::FastDownCast(array);
-  vtkNew<vtkTypeInt64Array> copy;
-  if (!large) // newer versions of VTK have arrays that are formulas
-  {
-    copy->DeepCopy(array);
-    large = copy;
-  }
-  return visit(large->GetPointer(0));
-}
-
-/// Whether wrong(begin, end) has no highest bit for all parts of the range: a sum of bits, of which
-/// the processor takes many numbers at once, so that this is as fast as memory.
-template <typename Wrong>
-bool IsRight(vtkIdType count, const Wrong& wrong)
-{
-  std::atomic<bool> isRight{ true };
+  std::atomic<bool> all{ true };
   vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
-      if (wrong(begin, end) < 0)
+      if (!isRight(begin, end))
       {
-        isRight = false;
+        all = false;
       }
     });
-  return isRight;
+  return all;
 }
 
-/// Whether these are not negative, and none is less than the one before.
+/// Whether offsets[0 .. last] increase from 0 to the number of ids.
 template <typename Value>
-bool Increase(const Value* values, vtkIdType count)
+bool AreOffsetsSound(const Value* offsets, vtkIdType last, vtkIdType ids)
 {
-  using Bits = std::make_unsigned_t<Value>;
-  return IsRight(count - 1,
-    [values](vtkIdType begin, vtkIdType end)
-    {
-      Bits wrong = 0;
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        wrong |= static_cast<Bits>(values[k]) |
-          (static_cast<Bits>(values[k + 1]) - static_cast<Bits>(values[k]));
-      }
-      return static_cast<Value>(wrong);
-    });
+  return offsets[0] == 0 && offsets[last] == ids &&
+    IsRight(last, [offsets](vtkIdType begin, vtkIdType end)
+      { return DoIncrease(offsets, begin, end); });
 }
 
 /// Whether all ids are from 0 to less than the number of points.
 template <typename Value>
-bool AreIdsRight(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
+bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
-  using Bits = std::make_unsigned_t<Value>;
-  if (count == 0 || numberOfPoints == 0)
-  {
-    return count == 0;
-  }
-  const auto largest = static_cast<Bits>(
-    std::min<vtkIdType>(numberOfPoints - 1, std::numeric_limits<Value>::max()));
-  return IsRight(count,
-    [ids, largest](vtkIdType begin, vtkIdType end)
-    {
-      Bits wrong = 0;
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        wrong |= static_cast<Bits>(ids[k]) | (largest - static_cast<Bits>(ids[k]));
-      }
-      return static_cast<Value>(wrong);
-    });
+  return count == 0 ||
+    (numberOfPoints > 0 &&
+      IsRight(count, [ids, numberOfPoints](vtkIdType begin, vtkIdType end)
+        { return AreIdsBelow(numberOfPoints, ids, begin, end); }));
 }
 
 [[noreturn]] void FailForPoint(
   vtkCellArray* cells, vtkIdType at, vtkIdType id, vtkIdType numberOfPoints, const char* word)
 {
   const vtkIdType offsets = cells->GetNumberOfCells() + 1;
-  const vtkIdType cell = VisitValues(cells->GetOffsetsArray(),
-    [offsets, at](const auto* starts) -> vtkIdType
-    { return std::upper_bound(starts, starts + offsets, at) - starts - 1; });
+  vtkIdType cell = 0;
+  VisitValues(cells->GetOffsetsArray(), [&cell, offsets, at](const auto* starts)
+    { cell = std::upper_bound(starts, starts + offsets, at) - starts - 1; });
   throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
     std::to_string(id) + ", which does not exist: the file has " +
     std::to_string(numberOfPoints) + " points, from 0 on; correct it in the program that " +
@@ -168,10 +124,12 @@ void CheckOffsets(vtkCellArray* cells, const char* word)
   vtkDataArray* const offsets = cells->GetOffsetsArray();
   const vtkIdType count = offsets->GetNumberOfTuples();
   const vtkIdType ids = cells->GetConnectivityArray()->GetNumberOfTuples();
-  const bool isSound = count > 0 &&
-    VisitValues(offsets,
-      [count, ids](const auto* values)
-      { return values[0] == 0 && values[count - 1] == ids && Increase(values, count); });
+  bool isSound = false;
+  if (count > 0)
+  {
+    VisitValues(offsets, [&isSound, count, ids](const auto* values)
+      { isSound = AreOffsetsSound(values, count - 1, ids); });
+  }
   if (!isSound)
   {
     throw Failure("it is broken: where each " + std::string(word) +
@@ -181,7 +139,7 @@ void CheckOffsets(vtkCellArray* cells, const char* word)
 
 void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
 {
-  if (!cells || cells->GetNumberOfCells() == 0)
+  if (!cells || cells->GetNumberOfCells() == 0 || AreIdsKnownBelow(cells, numberOfPoints))
   {
     return;
   }
@@ -191,7 +149,7 @@ void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
   VisitValues(connectivity,
     [=](const auto* ids)
     {
-      if (!AreIdsRight(ids, count, numberOfPoints))
+      if (!AreIdsSound(ids, count, numberOfPoints))
       {
         const auto* const wrong = std::find_if(ids, ids + count,
           [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });

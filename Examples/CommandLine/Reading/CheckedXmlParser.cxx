@@ -51,6 +51,13 @@ bool CheckedXmlParser::CanHold(double count) const
   return count >= 0.0 && count <= static_cast<double>(LargestRatio * this->FileSize);
 }
 
+bool CheckedXmlParser::IsRaw(vtkXMLDataElement* array) const
+{
+  // Streams that decode are derived from that.
+  return array->GetAttribute("offset") && !this->Compressor &&
+    std::string(this->AppendedDataStream->GetClassName()) == "vtkInputStream";
+}
+
 void CheckedXmlParser::CheckElement(vtkXMLDataElement* element)
 {
   const std::string name = element->GetName();

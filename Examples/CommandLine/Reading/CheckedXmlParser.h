@@ -35,6 +35,10 @@ public:
   /// Whether a file of the size that Check() was given can hold so many numbers.
   bool CanHold(double count) const;
 
+  /// Whether the values of an array are in the file as in memory, so that any of them can be read
+  /// without those before.
+  bool IsRaw(vtkXMLDataElement* array) const;
+
 protected:
   CheckedXmlParser() = default;
   ~CheckedXmlParser() override = default;

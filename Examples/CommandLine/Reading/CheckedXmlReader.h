@@ -12,15 +12,20 @@
 #include "CheckXmlType.h"
 #include "CheckedReader.h"
 #include "CheckedXmlParser.h"
+#include "ListCheck.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLReader.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string>
 
 namespace lambent::command
 {
@@ -56,12 +61,63 @@ protected:
     vtkXMLReader::FieldType type = vtkXMLReader::OTHER) override
   {
     const auto check = [this, element, array] { this->CheckArray(element, array); };
-    return this->Reader::ReadArrayValues(
-             element, arrayIndex, array, startIndex, numValues, type) &&
-      this->Passes(check);
+    auto* const values = vtkDataArray::SafeDownCast(array);
+    const bool isRead = values && this->IsListInParts(element)
+      ? this->ReadInParts(element, arrayIndex, values, startIndex, numValues, type)
+      : this->Reader::ReadArrayValues(element, arrayIndex, array, startIndex, numValues, type) != 0;
+    return isRead && this->Passes(check);
+  }
+
+  void ReadXMLData() override
+  {
+    this->Lists.clear();
+    this->Reader::ReadXMLData();
+    if (this->NumberOfPieces != 1)
+    {
+      return; // VTK has put the lists of the pieces together
+    }
+    if (auto* const mesh = vtkPolyData::SafeDownCast(this->GetCurrentOutput()))
+    {
+      this->Lists["Polys"].Note(mesh->GetPolys());
+      this->Lists["Strips"].Note(mesh->GetStrips());
+    }
+    else if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->GetCurrentOutput()))
+    {
+      this->Lists["Cells"].Note(grid->GetCells());
+    }
   }
 
 private:
+  /// The offsets and ids of cells, where their parts can be read one after the other.
+  bool IsListInParts(vtkXMLDataElement* element) const
+  {
+    const char* const name = element->GetAttribute("Name");
+    return name && element->GetParent() && this->Parser->IsRaw(element) &&
+      (std::string(name) == "offsets" || std::string(name) == "connectivity");
+  }
+
+  bool ReadInParts(vtkXMLDataElement* element, vtkIdType arrayIndex, vtkDataArray* array,
+    vtkIdType startIndex, vtkIdType numValues, vtkXMLReader::FieldType type)
+  {
+    const auto inserted =
+      this->Lists.try_emplace(element->GetParent()->GetName(), this->GetNumberOfPoints());
+    ListCheck& list = inserted.first->second;
+    const bool isOffsets = std::string(element->GetAttribute("Name")) == "offsets";
+    float range[2] = {};
+    this->GetProgressRange(range);
+    bool isRead = true;
+    for (vtkIdType k = 0; k < numValues && isRead; k += ListCheck::Part)
+    {
+      const vtkIdType count = std::min(ListCheck::Part, numValues - k), at = arrayIndex + k;
+      this->SetProgressRange(range, static_cast<int>(k / ListCheck::Part),
+        static_cast<int>((numValues - 1) / ListCheck::Part + 1));
+      isRead = this->Reader::ReadArrayValues(element, at, array, startIndex + k, count, type) != 0;
+      isOffsets ? list.LookAtOffsets(array, at, at + count) : list.LookAtIds(array, at, at + count);
+    }
+    this->SetProgressRange(range, 0, 1);
+    return isRead;
+  }
+
   void CheckArray(vtkXMLDataElement* element, vtkAbstractArray* array)
   {
     const char* const name = element->GetAttribute("Name");
@@ -81,6 +137,7 @@ private:
 
   CheckedXmlParser* Parser = nullptr;
   XmlCellsCheck CellsCheck;
+  std::map<std::string, ListCheck> Lists; ///< by the elements that they are in
 };
 
 } // namespace lambent::command

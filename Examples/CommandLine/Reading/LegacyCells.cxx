@@ -4,6 +4,7 @@
 #include "LegacyCells.h"
 #include "CheckCells.h"
 #include "HigherOrder.h"
+#include "ListCheck.h"
 #include "Messages.h"
 
 #include "vtkByteSwap.h"
@@ -12,9 +13,11 @@
 #include "vtkDataReader.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <istream>
 #include <memory>
 
@@ -29,37 +32,50 @@ namespace
     std::to_string(cells) + " of its " + keyword + "; get a whole copy of it");
 }
 
+vtkSmartPointer<vtkCellArray> ListOf(vtkDataArray* offsets, vtkDataArray* connectivity)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
 /// Goes through "count, ids, count, ids, ...", of which only the first ones have been read.
 vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cells,
-  const int* numbers, vtkIdType size, vtkIdType numbersRead)
+  const int* numbers, vtkIdType size, vtkIdType numbersRead, ListCheck check)
 {
   if (cells > size)
   {
     FailAtCell(keyword, size, cells);
   }
+  const vtkIdType ids = size - cells;
   vtkNew<vtkTypeInt64Array> offsets;
   vtkNew<vtkTypeInt64Array> connectivity;
   offsets->SetNumberOfValues(cells + 1);
-  connectivity->SetNumberOfValues(size - cells);
-  vtkTypeInt64* const starts = offsets->GetPointer(0);
-  vtkTypeInt64* const ids = connectivity->GetPointer(0);
+  connectivity->SetNumberOfValues(ids);
+  vtkIdType seen = 0;
+  const auto look = [&](vtkIdType end)
+  {
+    check.LookAtIds(connectivity, seen, end);
+    seen = end;
+  };
+  vtkTypeInt64* const to = connectivity->GetPointer(0);
   vtkIdType at = 0;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const vtkIdType before = at - cell; // each cell before has one number that is not an id
-    starts[cell] = before;
+    const vtkIdType first = at - cell; // each cell before has one number that is not an id
+    offsets->SetValue(cell, first);
     const vtkIdType count = at < numbersRead ? numbers[at] : -1;
-    // Enough numbers stay for the counts of the other cells, so that `ids` is not overrun.
-    if (count < 0 || count > numbersRead - at - 1 || before + count > size - cells)
+    if (count < 0 || count > numbersRead - at - 1 || count > ids - first)
     {
       FailAtCell(keyword, cell, cells);
     }
     ++at;
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      ids[before + k] = numbers[at + k];
-    }
+    std::copy(numbers + at, numbers + at + count, to + first);
     at += count;
+    if (first + count - seen >= ListCheck::Part)
+    {
+      look(first + count);
+    }
   }
   if (at != size)
   {
@@ -67,12 +83,31 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
       std::to_string(at) + " numbers, and its first line says " + std::to_string(size) +
       "; correct that line, or get a whole copy");
   }
-  starts[cells] = size - cells;
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  vtkDataArray* const asOffsets = offsets; // the functions for other types differ by VTK's version
-  vtkDataArray* const asConnectivity = connectivity;
-  result->SetData(asOffsets, asConnectivity);
+  offsets->SetValue(cells, ids);
+  look(ids);
+  check.LookAtOffsets(offsets, 1, cells + 1);
+  const auto result = ListOf(offsets, connectivity);
+  check.Note(result);
   return result;
+}
+
+/// Reads values from the next line on; `look` is given each part that was read.
+template <typename Look>
+bool ReadParts(std::istream& stream, vtkTypeInt64Array* array, vtkIdType count, const Look& look)
+{
+  array->SetNumberOfValues(count);
+  std::string restOfLine;
+  std::getline(stream, restOfLine);
+  for (vtkIdType begin = 0; begin < count && stream; begin += ListCheck::Part)
+  {
+    const vtkIdType end = std::min(begin + ListCheck::Part, count);
+    vtkTypeInt64* const values = array->GetPointer(begin);
+    stream.read(reinterpret_cast<char*>(values),
+      static_cast<std::streamsize>(sizeof(*values)) * (end - begin));
+    vtkByteSwap::Swap8BERange(values, static_cast<std::size_t>(end - begin));
+    look(begin, end);
+  }
+  return static_cast<bool>(stream);
 }
 
 /// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
@@ -145,24 +180,78 @@ vtkSmartPointer<vtkCellArray> LegacyCells::ReadList(const std::string& keyword) 
   const auto count = static_cast<std::size_t>(size);
   const std::unique_ptr<int[]> numbers(new int[count]); // not make_unique: it would fill them
   const std::size_t numbersRead = this->ReadNumbers(numbers.get(), count);
-  return CellsOf(keyword, cells, numbers.get(), size, static_cast<vtkIdType>(numbersRead));
+  return CellsOf(keyword, cells, numbers.get(), size, static_cast<vtkIdType>(numbersRead),
+    ListCheck(this->Points->GetNumberOfPoints()));
 }
 
-/// From version 5 on, arrays of offsets and of ids. Their sizes are read once more by VTK.
+bool LegacyCells::AreNextWords(const char* first, const char* second) const
+{
+  for (const char* const expected : { first, second })
+  {
+    char word[256];
+    if (!this->Reader->ReadString(word) || std::string(this->Reader->LowerCase(word)) != expected)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Nothing unless these are the arrays of a binary file as VTK writes them.
+vtkSmartPointer<vtkCellArray> LegacyCells::ReadInParts(vtkIdType offsets, vtkIdType ids) const
+{
+  std::istream& stream = *this->Reader->GetIStream();
+  vtkNew<vtkTypeInt64Array> starts;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  ListCheck check(this->Points->GetNumberOfPoints());
+  const auto lookAtStarts = [&](vtkIdType begin, vtkIdType end)
+  { check.LookAtOffsets(starts, std::max<vtkIdType>(begin, 1), end); };
+  const auto lookAtIds = [&](vtkIdType begin, vtkIdType end)
+  { check.LookAtIds(connectivity, begin, end); };
+  if (this->Reader->GetFileType() != VTK_BINARY || offsets < 1 || ids < 1 ||
+    !this->AreNextWords("offsets", "vtktypeint64") ||
+    !ReadParts(stream, starts, offsets, lookAtStarts) ||
+    !this->AreNextWords("connectivity", "vtktypeint64") ||
+    !ReadParts(stream, connectivity, ids, lookAtIds))
+  {
+    return nullptr;
+  }
+  const std::istream::pos_type end = stream.tellg();
+  char word[256];
+  const bool hasMetadata =
+    this->Reader->ReadString(word) && std::string(this->Reader->LowerCase(word)) == "metadata";
+  stream.clear();
+  stream.seekg(end);
+  if (hasMetadata)
+  {
+    return nullptr;
+  }
+  auto cells = ListOf(starts, connectivity);
+  check.Note(cells);
+  return cells;
+}
+
+/// From version 5 on, arrays of offsets and of ids.
 vtkSmartPointer<vtkCellArray> LegacyCells::ReadOffsets(const std::string& keyword) const
 {
   std::istream& stream = *this->Reader->GetIStream();
   const std::istream::pos_type start = stream.tellg();
-  this->ReadCount(keyword);
-  this->ReadCount(keyword);
-  stream.clear();
-  stream.seekg(start);
-  vtkSmartPointer<vtkCellArray> cells;
-  if (!this->Reader->ReadCells(cells) || !cells)
+  const vtkIdType offsets = this->ReadCount(keyword);
+  const vtkIdType ids = this->ReadCount(keyword);
+  vtkSmartPointer<vtkCellArray> cells = this->ReadInParts(offsets, ids);
+  if (!cells)
   {
-    throw Failure("it is cut short or broken in its " + keyword + "; get a whole copy of it");
+    stream.clear();
+    stream.seekg(start); // VTK knows what else there may be
+    if (!this->Reader->ReadCells(cells) || !cells)
+    {
+      throw Failure("it is cut short or broken in its " + keyword + "; get a whole copy of it");
+    }
   }
-  CheckOffsets(cells);
+  if (!AreIdsKnownBelow(cells, this->Points->GetNumberOfPoints()))
+  {
+    CheckOffsets(cells);
+  }
   return cells;
 }
 

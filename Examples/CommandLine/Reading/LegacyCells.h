@@ -17,6 +17,7 @@
 
 class vtkCellArray;
 class vtkDataReader;
+class vtkPointSet;
 class vtkUnstructuredGrid;
 
 namespace lambent::command
@@ -26,8 +27,10 @@ namespace lambent::command
 class LegacyCells
 {
 public:
-  LegacyCells(vtkDataReader* reader, std::uint64_t fileSize)
+  /// Cells may name points of this data set, if these have been read before.
+  LegacyCells(vtkDataReader* reader, vtkPointSet* points, std::uint64_t fileSize)
     : Reader(reader)
+    , Points(points)
     , FileSize(fileSize)
   {
   }
@@ -46,9 +49,12 @@ public:
 private:
   vtkSmartPointer<vtkCellArray> ReadList(const std::string& keyword) const;
   vtkSmartPointer<vtkCellArray> ReadOffsets(const std::string& keyword) const;
+  vtkSmartPointer<vtkCellArray> ReadInParts(vtkIdType offsets, vtkIdType ids) const;
+  bool AreNextWords(const char* first, const char* second) const;
   std::size_t ReadNumbers(int* numbers, std::size_t count) const;
 
   vtkDataReader* Reader;
+  vtkPointSet* Points;
   std::uint64_t FileSize;
 };
 

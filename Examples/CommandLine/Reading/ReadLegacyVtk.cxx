@@ -43,7 +43,7 @@ public:
   Parts(vtkDataReader* reader, vtkPointSet* output, const std::string& path)
     : Reader(reader)
     , Output(output)
-    , Lists(reader, std::filesystem::file_size(path))
+    , Lists(reader, output, std::filesystem::file_size(path))
   {
   }
 
