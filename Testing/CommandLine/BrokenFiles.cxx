@@ -209,10 +209,8 @@ void AddSolids(std::vector<File>& files)
     files.push_back(Xml<Grid>(".vtu", grid, Grid::Appended, Grid::NONE, false));
     for (int fileType : { VTK_ASCII, VTK_BINARY })
     {
-      files.push_back(
-        Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_4_2, fileType));
-      files.push_back(
-        Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_5_1, fileType));
+      files.push_back(Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_4_2, fileType));
+      files.push_back(Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_5_1, fileType));
     }
   }
   files.push_back({ "list on the line of its keyword ", ".vtk",

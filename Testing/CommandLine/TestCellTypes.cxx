@@ -126,9 +126,8 @@ vtkSmartPointer<vtkPoints> Nodes(const Case& one)
     points->SetPoint(k, 100.0 + k, 50.0 * k, -30.0 * k);
   }
   const bool hasCorners = one.linear != VTK_EMPTY_CELL;
-  const auto linear =
-    vtkSmartPointer<vtkCell>::Take(hasCorners ? vtkGenericCell::InstantiateCell(one.linear)
-                                              : nullptr);
+  const auto linear = vtkSmartPointer<vtkCell>::Take(
+    hasCorners ? vtkGenericCell::InstantiateCell(one.linear) : nullptr);
   const auto grid = OneCell(one.type, points);
   vtkCell* const cell = linear ? linear.Get() : grid->GetCell(0);
   const double* const nodes = cell->GetParametricCoords();
@@ -155,8 +154,8 @@ double AreaOf(vtkPolyData* mesh)
   {
     mesh->GetPolys()->GetCellAtId(cell, ids);
     double normal[3];
-    area += vtkPolygon::ComputeArea(
-      mesh->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
+    area +=
+      vtkPolygon::ComputeArea(mesh->GetPoints(), ids->GetNumberOfIds(), ids->GetPointer(0), normal);
   }
   return area;
 }
@@ -245,8 +244,8 @@ TEST(CellTypes, PolygonsWithNodesBetweenTheirCorners)
   for (const int type : { VTK_QUADRATIC_POLYGON, VTK_HIGHER_ORDER_POLYGON })
   {
     SCOPED_TRACE(type);
-    ForEachFile(OneCell(type, points),
-      [](vtkPolyData* mesh) { EXPECT_NEAR(AreaOf(mesh), Hexagon, 1e-5); });
+    ForEachFile(
+      OneCell(type, points), [](vtkPolyData* mesh) { EXPECT_NEAR(AreaOf(mesh), Hexagon, 1e-5); });
   }
 }
 
@@ -325,6 +324,32 @@ TEST(CellTypes, NeighboursShareTheirNodes)
       }
       EXPECT_EQ(sum, 12 * 1.0 + 12 * 2.0);
     });
+}
+
+// Polyhedra beside them keep their faces.
+TEST(CellTypes, PolyhedraBesideThem)
+{
+  const auto grid = OneCell(VTK_LAGRANGE_TRIANGLE, Nodes({ VTK_LAGRANGE_TRIANGLE, 6, 4, 0.5 }));
+  grid->GetPoints()->InsertNextPoint(0.2, 0.2, 1.0);
+  vtkNew<vtkIdList> faces;
+  for (const vtkIdType id : { 4, 3, 0, 1, 2, 3, 0, 6, 1, 3, 1, 6, 2, 3, 2, 6, 0 })
+  {
+    faces->InsertNextId(id);
+  }
+  grid->InsertNextCell(VTK_POLYHEDRON, faces);
+  ForEachFile(grid, [](vtkPolyData* mesh) { EXPECT_EQ(mesh->GetNumberOfPolys(), 8); });
+}
+
+// An array that is too short for the cells is an error, and is not read beyond its end.
+TEST(CellTypes, DataThatIsTooShort)
+{
+  const auto grid = OneCell(VTK_LAGRANGE_TRIANGLE, Nodes({ VTK_LAGRANGE_TRIANGLE, 6, 4, 0.5 }));
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("value");
+  grid->GetCellData()->AddArray(values);
+  VtkMessages messages(true);
+  EXPECT_EQ(WithLinearCells(grid), grid);
+  EXPECT_NE(messages.TakeError(), "");
 }
 
 // Cells of other types keep what they are.

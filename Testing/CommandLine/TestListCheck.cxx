@@ -112,8 +112,8 @@ TYPED_TEST(ListChecks, NoteWhatIsRightAndWasSeen)
 TYPED_TEST(ListChecks, FindEachWrongId)
 {
   using Value = typename TypeParam::ValueType;
-  for (const vtkIdType at : { vtkIdType{ 0 }, vtkIdType{ 4 }, ListCheck::Part - 1, ListCheck::Part,
-         3 * Cells - 1 })
+  for (const vtkIdType at :
+    { vtkIdType{ 0 }, vtkIdType{ 4 }, ListCheck::Part - 1, ListCheck::Part, 3 * Cells - 1 })
   {
     for (const Value wrong : { Value{ -1 }, static_cast<Value>(Points),
            std::numeric_limits<Value>::max(), std::numeric_limits<Value>::min() })
@@ -121,8 +121,11 @@ TYPED_TEST(ListChecks, FindEachWrongId)
       List<TypeParam> list;
       list.Ids->SetValue(at, wrong);
       EXPECT_FALSE(IsNoted(list, Points)) << at << " " << wrong;
-      EXPECT_EQ(Failing(list.ToCells()).rfind("its polygon " + std::to_string(at / 3) +
-                    " names point " + std::to_string(wrong) + ", which does not exist", 0), 0u)
+      EXPECT_EQ(Failing(list.ToCells())
+                  .rfind("its polygon " + std::to_string(at / 3) + " names point " +
+                      std::to_string(wrong) + ", which does not exist",
+                    0),
+        0u)
         << at << " " << wrong;
     }
   }
@@ -131,8 +134,8 @@ TYPED_TEST(ListChecks, FindEachWrongId)
 TYPED_TEST(ListChecks, FindEachWrongOffset)
 {
   using Value = typename TypeParam::ValueType;
-  for (const vtkIdType at : { vtkIdType{ 0 }, vtkIdType{ 1 }, Cells / 2 - 1, Cells / 2, Cells - 1,
-         Cells })
+  for (const vtkIdType at :
+    { vtkIdType{ 0 }, vtkIdType{ 1 }, Cells / 2 - 1, Cells / 2, Cells - 1, Cells })
   {
     for (const Value wrong : { Value{ -1 }, static_cast<Value>(3 * Cells + 1),
            std::numeric_limits<Value>::max(), std::numeric_limits<Value>::min() })

@@ -46,8 +46,8 @@ template <typename Value>
 bool AreOffsetsSound(const Value* offsets, vtkIdType last, vtkIdType ids)
 {
   return offsets[0] == 0 && offsets[last] == ids &&
-    IsRight(last, [offsets](vtkIdType begin, vtkIdType end)
-      { return DoIncrease(offsets, begin, end); });
+    IsRight(
+      last, [offsets](vtkIdType begin, vtkIdType end) { return DoIncrease(offsets, begin, end); });
 }
 
 /// Whether all ids are from 0 to less than the number of points.
@@ -56,7 +56,8 @@ bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
   return count == 0 ||
     (numberOfPoints > 0 &&
-      IsRight(count, [ids, numberOfPoints](vtkIdType begin, vtkIdType end)
+      IsRight(count,
+        [ids, numberOfPoints](vtkIdType begin, vtkIdType end)
         { return AreIdsBelow(numberOfPoints, ids, begin, end); }));
 }
 
@@ -65,21 +66,21 @@ bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
   const vtkIdType offsets = cells->GetNumberOfCells() + 1;
   vtkIdType cell = 0;
-  VisitValues(cells->GetOffsetsArray(), [&cell, offsets, at](const auto* starts)
+  VisitValues(cells->GetOffsetsArray(),
+    [&cell, offsets, at](const auto* starts)
     { cell = std::upper_bound(starts, starts + offsets, at) - starts - 1; });
   throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
-    std::to_string(id) + ", which does not exist: the file has " +
-    std::to_string(numberOfPoints) + " points, from 0 on; correct it in the program that " +
-    "writes the file, or get a whole copy");
+    std::to_string(id) + ", which does not exist: the file has " + std::to_string(numberOfPoints) +
+    " points, from 0 on; correct it in the program that writes the file, or get a whole copy");
 }
 
 /// What is expected of the points of a cell.
 struct Points
 {
-  bool IsKnown = false;   ///< there is such a type
-  vtkIdType Exactly = 0;  ///< if this is not 0
-  bool IsEven = false;    ///< corners, and as many nodes between them
-  bool IsLooked = false;  ///< this has been looked up
+  bool IsKnown = false;  ///< there is such a type
+  vtkIdType Exactly = 0; ///< if this is not 0
+  bool IsEven = false;   ///< corners, and as many nodes between them
+  bool IsLooked = false; ///< this has been looked up
 };
 
 Points PointsOfType(int type)
@@ -107,8 +108,8 @@ void CheckCount(const Points& points, vtkIdType count, vtkIdType cell, int type)
   }
   if (points.Exactly > 0 && points.Exactly != count)
   {
-    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
-      " points and not " + std::to_string(points.Exactly) + CorrectCell);
+    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) + " points and not " +
+      std::to_string(points.Exactly) + CorrectCell);
   }
   if (points.IsEven && (count % 2 != 0 || count < 6))
   {
@@ -127,7 +128,8 @@ void CheckOffsets(vtkCellArray* cells, const char* word)
   bool isSound = false;
   if (count > 0)
   {
-    VisitValues(offsets, [&isSound, count, ids](const auto* values)
+    VisitValues(offsets,
+      [&isSound, count, ids](const auto* values)
       { isSound = AreOffsetsSound(values, count - 1, ids); });
   }
   if (!isSound)
@@ -151,8 +153,8 @@ void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
     {
       if (!AreIdsSound(ids, count, numberOfPoints))
       {
-        const auto* const wrong = std::find_if(ids, ids + count,
-          [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });
+        const auto* const wrong = std::find_if(
+          ids, ids + count, [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });
         FailForPoint(cells, wrong - ids, *wrong, numberOfPoints, word);
       }
     });

@@ -30,7 +30,8 @@ void CheckPoint(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType id)
   const vtkIdType points = grid->GetNumberOfPoints();
   if (id < 0 || id >= points)
   {
-    FailForFaces(cell, " has a face that names point " + std::to_string(id) +
+    FailForFaces(cell,
+      " has a face that names point " + std::to_string(id) +
         ", which does not exist: the file has " + std::to_string(points) + " points, from 0 on");
   }
 }

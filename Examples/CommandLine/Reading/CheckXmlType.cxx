@@ -22,8 +22,8 @@ constexpr std::pair<const char*, const char*> Endings[] = { { "PolyData", ".vtp"
   { "StructuredGrid", ".vts" }, { "vtkMultiBlockDataSet", ".vtm" }, { "PPolyData", ".pvtp" },
   { "PUnstructuredGrid", ".pvtu" }, { "PImageData", ".pvti" }, { "PRectilinearGrid", ".pvtr" },
   { "PStructuredGrid", ".pvts" }, { "Collection", ".pvd" }, { "vtkPartitionedDataSet", ".vtpd" },
-  { "vtkPartitionedDataSetCollection", ".vtpc" }, { "HyperTreeGrid", ".htg" },
-  { "Table", ".vtt" }, { "vtkOverlappingAMR", ".vthb" }, { "vtkNonOverlappingAMR", ".vthb" },
+  { "vtkPartitionedDataSetCollection", ".vtpc" }, { "HyperTreeGrid", ".htg" }, { "Table", ".vtt" },
+  { "vtkOverlappingAMR", ".vthb" }, { "vtkNonOverlappingAMR", ".vthb" },
   { "vtkHierarchicalBoxDataSet", ".vthb" } };
 
 /// What to do with a file of that type.

@@ -32,7 +32,9 @@ namespace lambent::command
 
 /// Reader is any class of VTK's that is derived from vtkXMLDataReader.
 template <typename Reader>
-class CheckedXmlReader : public Reader, public CheckedReader
+class CheckedXmlReader
+  : public Reader
+  , public CheckedReader
 {
 public:
   static CheckedXmlReader* New() { VTK_STANDARD_NEW_BODY(CheckedXmlReader); }
@@ -45,7 +47,7 @@ protected:
     this->XMLParser = this->Parser; // which DestroyXMLParser() deletes
   }
 
-  /// The elements are known, of the arrays none is read.
+  /// All elements have been parsed; no array has been read yet.
   int ReadVTKFile(vtkXMLDataElement* root) override
   {
     const auto check = [this, root]

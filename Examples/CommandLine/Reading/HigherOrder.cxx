@@ -203,8 +203,10 @@ void CheckHigherOrder(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   }
   if (shape == Shape::Hexahedron && DegreesOf(grid))
   {
-    throw Failure(CellWithType(cell, type) + " has not as many points as its orders in the array "
-      "HigherOrderDegrees ask for" + CorrectCell);
+    throw Failure(CellWithType(cell, type) +
+      " has not as many points as its orders in the array "
+      "HigherOrderDegrees ask for" +
+      CorrectCell);
   }
   std::string counts;
   for (int order = LeastOrder(shape); order < LeastOrder(shape) + 3; ++order)

@@ -270,8 +270,8 @@ void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<
   const vtkIdType count = cells->GetNumberOfCells();
   if (static_cast<vtkIdType>(types.size()) != count)
   {
-    throw Failure("it has " + std::to_string(count) + " CELLS and " +
-      std::to_string(types.size()) + " CELL_TYPES; get a whole copy of it");
+    throw Failure("it has " + std::to_string(count) + " CELLS and " + std::to_string(types.size()) +
+      " CELL_TYPES; get a whole copy of it");
   }
   vtkNew<vtkIdList> stream;
   for (vtkIdType cell = 0; cell < count; ++cell)

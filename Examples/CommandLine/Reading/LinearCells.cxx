@@ -3,9 +3,8 @@
 
 #include "LinearCells.h"
 #include "HigherOrder.h"
+#include "LinearGrid.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkHigherOrderHexahedron.h"
 #include "vtkHigherOrderQuadrilateral.h"
@@ -14,94 +13,12 @@
 #include "vtkHigherOrderWedge.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <initializer_list>
 
 namespace lambent::command
 {
 namespace
 {
-
-/// Takes linear cells of nodes of one cell after the other.
-class LinearGrid
-{
-public:
-  explicit LinearGrid(vtkUnstructuredGrid* grid)
-    : From(grid)
-    , Result(vtkSmartPointer<vtkUnstructuredGrid>::New())
-  {
-    this->Result->SetPoints(grid->GetPoints());
-    this->Result->GetPointData()->ShallowCopy(grid->GetPointData());
-    this->Result->GetFieldData()->ShallowCopy(grid->GetFieldData());
-    this->Result->Allocate(grid->GetNumberOfCells());
-    this->Result->GetCellData()->CopyAllOn();
-    this->Result->GetCellData()->CopyAllocate(grid->GetCellData(), grid->GetNumberOfCells());
-  }
-
-  /// The nodes from now on are those of this cell.
-  void Begin(vtkIdType cell)
-  {
-    this->Cell = cell;
-    this->From->GetCellPoints(cell, this->Nodes);
-  }
-
-  vtkIdType NodeCount() const { return this->Nodes->GetNumberOfIds(); }
-
-  void Add(int type, std::initializer_list<vtkIdType> nodes)
-  {
-    this->Add(type, nodes.begin(), static_cast<vtkIdType>(nodes.size()));
-  }
-
-  void Add(int type, const vtkIdType* nodes, vtkIdType count)
-  {
-    this->Ids->SetNumberOfIds(count);
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      this->Ids->SetId(k, this->Nodes->GetId(nodes[k]));
-    }
-    this->CopyData(this->Result->InsertNextCell(type, this->Ids));
-  }
-
-  /// The first of the nodes.
-  void AddCorners(int type, vtkIdType count)
-  {
-    vtkNew<vtkIdList> nodes;
-    nodes->SetNumberOfIds(count);
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      nodes->SetId(k, k);
-    }
-    this->Add(type, nodes->GetPointer(0), count);
-  }
-
-  /// The cell as it is.
-  void AddSame(int type)
-  {
-    if (type == VTK_POLYHEDRON)
-    {
-      this->From->GetFaceStream(this->Cell, this->Ids);
-      this->CopyData(this->Result->InsertNextCell(type, this->Ids));
-      return;
-    }
-    this->CopyData(this->Result->InsertNextCell(type, this->Nodes));
-  }
-
-  vtkSmartPointer<vtkUnstructuredGrid> Get() const { return this->Result; }
-
-private:
-  void CopyData(vtkIdType to)
-  {
-    this->Result->GetCellData()->CopyData(this->From->GetCellData(), this->Cell, to);
-  }
-
-  vtkUnstructuredGrid* From;
-  vtkSmartPointer<vtkUnstructuredGrid> Result;
-  vtkNew<vtkIdList> Nodes;
-  vtkNew<vtkIdList> Ids;
-  vtkIdType Cell = 0;
-};
 
 /// The ends come first, then the nodes between them in the order of the line.
 void AddCurve(LinearGrid& grid)
@@ -142,7 +59,9 @@ void AddTriangles(LinearGrid& grid, int order)
     return vtkHigherOrderTriangle::Index(barycentric, order);
   };
   ForEachTriangle(order, node,
-    [&grid](vtkIdType a, vtkIdType b, vtkIdType c) { grid.Add(VTK_TRIANGLE, { a, b, c }); });
+    [&grid](vtkIdType a, vtkIdType b, vtkIdType c) {
+      grid.Add(VTK_TRIANGLE, { a, b, c });
+    });
 }
 
 void AddQuads(LinearGrid& grid, const Orders& orders)
@@ -192,8 +111,9 @@ void AddWedges(LinearGrid& grid, const Orders& orders)
         vtkHigherOrderWedge::PointIndexFromIJK(i, j, k + 1, all) };
     };
     ForEachTriangle(orders[0], node,
-      [&grid](Pair a, Pair b, Pair c)
-      { grid.Add(VTK_WEDGE, { a.below, b.below, c.below, a.above, b.above, c.above }); });
+      [&grid](Pair a, Pair b, Pair c) {
+        grid.Add(VTK_WEDGE, { a.below, b.below, c.below, a.above, b.above, c.above });
+      });
   }
 }
 
@@ -307,7 +227,7 @@ vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid)
   {
     ++first;
   }
-  if (first == count)
+  if (first == count || grid->CheckAttributes() != 0) // an array is too short: VTK says which
   {
     return grid;
   }

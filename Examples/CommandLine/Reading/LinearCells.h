@@ -27,8 +27,9 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// The grid itself if it has no cell of the types 60 to 81; otherwise one with linear cells in
-/// their place, on the same points. The cells have passed CheckCells().
+/// The grid itself if it has no cell of the types 60 to 81, or if it has arrays that are too short;
+/// otherwise one with linear cells in their place, on the same points. The cells have passed
+/// CheckCells().
 vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid);
 
 } // namespace lambent::command

@@ -36,7 +36,8 @@ void ListCheck::LookAtIds(vtkDataArray* ids, vtkIdType begin, vtkIdType end)
 {
   this->IdsSeen += end - begin;
   this->IsRight &= this->NumberOfPoints > 0 &&
-    VisitPlain(ids, [&](const auto* values)
+    VisitPlain(ids,
+      [&](const auto* values)
       { this->IsRight &= AreIdsBelow(this->NumberOfPoints, values, begin, end); });
 }
 

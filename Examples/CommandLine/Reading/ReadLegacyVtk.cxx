@@ -123,7 +123,8 @@ private:
     if (count != expected)
     {
       throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", and " +
-        std::to_string(expected) + what + "; correct the count in the program that writes the "
+        std::to_string(expected) + what +
+        "; correct the count in the program that writes the "
         "file, or get a whole copy");
     }
   }

@@ -35,7 +35,9 @@ enum class LegacyType
 };
 LegacyType LegacyTypeOf(const std::string& path);
 
-class LegacyPolyDataReader : public vtkPolyDataReader, public CheckedReader
+class LegacyPolyDataReader
+  : public vtkPolyDataReader
+  , public CheckedReader
 {
 public:
   static LegacyPolyDataReader* New();
@@ -44,7 +46,9 @@ public:
   int ReadMeshSimple(const std::string& path, vtkDataObject* output) override;
 };
 
-class LegacyGridReader : public vtkUnstructuredGridReader, public CheckedReader
+class LegacyGridReader
+  : public vtkUnstructuredGridReader
+  , public CheckedReader
 {
 public:
   static LegacyGridReader* New();
