@@ -3,14 +3,20 @@
 // Lists of cells that are checked part by part: noted as right only if all of the list was seen
 // and is right; and CheckCells() finds each wrong number, wherever it is.
 
+#include "BrokenFiles.h"
+
 #include "CheckCells.h"
 #include "ListCheck.h"
 #include "Messages.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
@@ -153,4 +159,62 @@ TYPED_TEST(ListChecks, AreQuietAboutWhatIsRight)
 {
   List<TypeParam> list;
   EXPECT_EQ(Failing(list.ToCells()), "");
+}
+
+namespace
+{
+
+/// Reads back what a writer writes of the mesh.
+template <typename Writer>
+std::string FailingFile(Writer* writer, vtkPolyData* mesh, const std::string& extension)
+{
+  const Scratch scratch(extension);
+  writer->SetInputData(mesh);
+  writer->SetFileName(scratch.path.c_str());
+  writer->Write();
+  return Read(scratch, scratch.read()).failure;
+}
+
+} // namespace
+
+// Whichever way the list is read.
+TEST(ListChecksOfFiles, FindAWrongId)
+{
+  for (const vtkIdType wrong : { 4, -1 })
+  {
+    vtkNew<vtkPolyData> mesh;
+    vtkNew<vtkPoints> points;
+    for (int k = 0; k < 4; ++k)
+    {
+      points->InsertNextPoint(k % 2, k / 2, 0.0);
+    }
+    mesh->SetPoints(points);
+    vtkNew<vtkCellArray> polygons;
+    polygons->InsertNextCell({ 0, 1, 2 });
+    polygons->InsertNextCell({ 0, 2, wrong });
+    mesh->SetPolys(polygons);
+    const std::string expected = "its polygon 1 names point " + std::to_string(wrong) + ", which";
+    using Xml = vtkXMLPolyDataWriter;
+    for (const int mode : { Xml::Ascii, Xml::Binary, Xml::Appended })
+    {
+      vtkNew<Xml> writer;
+      writer->SetDataMode(mode);
+      writer->SetCompressorTypeToNone();
+      writer->EncodeAppendedDataOff();
+      const std::string failure = FailingFile(writer.Get(), mesh, ".vtp");
+      EXPECT_NE(failure.find(expected), std::string::npos) << mode << " " << failure;
+    }
+    using Legacy = vtkPolyDataWriter;
+    for (const int version : { 42, 51 })
+    {
+      for (const int type : { VTK_ASCII, VTK_BINARY })
+      {
+        vtkNew<Legacy> writer;
+        writer->SetFileVersion(version);
+        writer->SetFileType(type);
+        const std::string failure = FailingFile(writer.Get(), mesh, ".vtk");
+        EXPECT_NE(failure.find(expected), std::string::npos) << version << " " << failure;
+      }
+    }
+  }
 }
