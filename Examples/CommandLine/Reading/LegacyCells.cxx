@@ -98,16 +98,19 @@ bool ReadParts(std::istream& stream, vtkTypeInt64Array* array, vtkIdType count, 
   array->SetNumberOfValues(count);
   std::string restOfLine;
   std::getline(stream, restOfLine);
-  for (vtkIdType begin = 0; begin < count && stream; begin += ListCheck::Part)
+  for (vtkIdType begin = 0; begin < count; begin += ListCheck::Part)
   {
     const vtkIdType end = std::min(begin + ListCheck::Part, count);
     vtkTypeInt64* const values = array->GetPointer(begin);
-    stream.read(reinterpret_cast<char*>(values),
-      static_cast<std::streamsize>(sizeof(*values)) * (end - begin));
+    if (!stream.read(reinterpret_cast<char*>(values),
+          static_cast<std::streamsize>(sizeof(*values)) * (end - begin)))
+    {
+      return false;
+    }
     vtkByteSwap::Swap8BERange(values, static_cast<std::size_t>(end - begin));
     look(begin, end);
   }
-  return static_cast<bool>(stream);
+  return true;
 }
 
 /// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
