@@ -97,7 +97,7 @@ class ListChecks : public testing::Test
 {
 };
 using Arrays = testing::Types<vtkTypeInt32Array, vtkTypeInt64Array>;
-TYPED_TEST_SUITE(ListChecks, Arrays);
+TYPED_TEST_SUITE(ListChecks, Arrays, ); // the comma for clang's -Wpedantic
 
 TYPED_TEST(ListChecks, NoteWhatIsRightAndWasSeen)
 {

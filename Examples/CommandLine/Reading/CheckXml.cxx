@@ -34,7 +34,7 @@ class OffsetsParser : public CheckedXmlParser
 {
 public:
   static OffsetsParser* New();
-  vtkTypeMacro(OffsetsParser, CheckedXmlParser);
+  vtkTypeMacro(OffsetsParser, CheckedXmlParser)
 
   void CheckLastOffsets()
   {

@@ -27,7 +27,7 @@ class CheckedXmlParser : public vtkXMLDataParser
 {
 public:
   static CheckedXmlParser* New();
-  vtkTypeMacro(CheckedXmlParser, vtkXMLDataParser);
+  vtkTypeMacro(CheckedXmlParser, vtkXMLDataParser)
 
   /// Throws Failure if an array of the parsed file is cut short or has sizes that cannot be.
   void Check(std::uint64_t fileSize);

@@ -41,7 +41,7 @@ class LegacyPolyDataReader
 {
 public:
   static LegacyPolyDataReader* New();
-  vtkTypeMacro(LegacyPolyDataReader, vtkPolyDataReader);
+  vtkTypeMacro(LegacyPolyDataReader, vtkPolyDataReader)
 
   int ReadMeshSimple(const std::string& path, vtkDataObject* output) override;
 };
@@ -52,7 +52,7 @@ class LegacyGridReader
 {
 public:
   static LegacyGridReader* New();
-  vtkTypeMacro(LegacyGridReader, vtkUnstructuredGridReader);
+  vtkTypeMacro(LegacyGridReader, vtkUnstructuredGridReader)
 
   int ReadMeshSimple(const std::string& path, vtkDataObject* output) override;
 };
