@@ -210,6 +210,11 @@ class TestReading(CommandTest):
             self.write("wrong.vtk", text.replace("POLYGONS 4 16", "POLYGONS 4 %d" % size))
             self.assertIn(words, self.fail_to_read("wrong.vtk"))
 
+    def test_a_word_that_is_no_keyword(self):
+        self.write("wrong.vtk", make.vtk_text(TETRAHEDRON) + "TEXTURES 4\n")
+        self.assertIn("it has 'textures' where a keyword such as POINTS has to stand; correct",
+                      self.fail_to_read("wrong.vtk"))
+
     def test_data_for_another_count(self):
         text = make.vtk_text(TETRAHEDRON)
         for data, words in (("POINT_DATA 5\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4 5\n",
@@ -233,7 +238,7 @@ class TestReading(CommandTest):
                       '<DataSet index="0" file="a.vtp"/></vtkMultiBlockDataSet></VTKFile>\n')
         grid = make.vtu(CUBE, [tuple(range(8))], VOXEL)
         for name, text, words in (
-                ("a.vtp", multiblock, "it holds vtkMultiBlockDataSet and not PolyData"),
+                ("a.vtp", multiblock, "it holds vtkMultiBlockDataSet and not PolyData; "),
                 ("a.vtu", multiblock, "it holds vtkMultiBlockDataSet and not UnstructuredGrid"),
                 ("b.vtp", grid, "it holds UnstructuredGrid and not PolyData; rename it so that "
                  "its name ends in .vtu"),

@@ -35,7 +35,7 @@ std::string Remedy(const std::string& type)
   {
     return std::string("; rename it so that its name ends in ") + known->second;
   }
-  return ", which is not read; save its surface as a .vtp file, with ParaView for instance";
+  return "; such files are not read: save its surface as a .vtp file, with ParaView for instance";
 }
 
 std::string TypeOf(vtkXMLDataElement* root)

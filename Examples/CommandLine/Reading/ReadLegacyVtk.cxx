@@ -61,8 +61,9 @@ public:
     {
       if (!this->ReadCommon(word) && !readList(word))
       {
-        throw Failure("it is cut short or broken: it has '" + word +
-          "' where a keyword has to stand; get a whole copy of it");
+        throw Failure("it has '" + word +
+          "' where a keyword such as POINTS has to stand; correct it in the program that writes "
+          "the file, or get a whole copy");
       }
     }
     finish();
