@@ -108,6 +108,15 @@ TYPED_TEST(ListChecks, NoteWhatIsRightAndWasSeen)
   EXPECT_FALSE(IsNoted(list, 0));
   EXPECT_FALSE(IsNoted(list, Points, 1));
 
+  ListCheck trusting(Points);
+  trusting.LookAtIds(list.Ids, 0, 3 * Cells);
+  const auto trusted = list.ToCells();
+  trusting.Note(trusted);
+  EXPECT_FALSE(AreIdsKnownBelow(trusted, Points));
+  trusting.TrustOffsets();
+  trusting.Note(trusted);
+  EXPECT_TRUE(AreIdsKnownBelow(trusted, Points));
+
   const auto cells = list.ToCells();
   NoteIdsBelow(cells, Points);
   EXPECT_TRUE(AreIdsKnownBelow(cells, Points));

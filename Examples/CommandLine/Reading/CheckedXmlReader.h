@@ -90,12 +90,12 @@ protected:
   }
 
 private:
-  /// The offsets and ids of cells, where their parts can be read one after the other.
+  /// The ids of cells, where their parts can be read one after the other.
   bool IsListInParts(vtkXMLDataElement* element) const
   {
     const char* const name = element->GetAttribute("Name");
     return name && element->GetParent() && this->Parser->IsRaw(element) &&
-      (std::string(name) == "offsets" || std::string(name) == "connectivity");
+      std::string(name) == "connectivity";
   }
 
   bool ReadInParts(vtkXMLDataElement* element, vtkIdType arrayIndex, vtkDataArray* array,
@@ -104,7 +104,7 @@ private:
     const auto inserted =
       this->Lists.try_emplace(element->GetParent()->GetName(), this->GetNumberOfPoints());
     ListCheck& list = inserted.first->second;
-    const bool isOffsets = std::string(element->GetAttribute("Name")) == "offsets";
+    list.TrustOffsets(); // VTK goes through them before it reads the ids
     float range[2] = {};
     this->GetProgressRange(range);
     bool isRead = true;
@@ -114,7 +114,7 @@ private:
       this->SetProgressRange(range, static_cast<int>(k / ListCheck::Part),
         static_cast<int>((numValues - 1) / ListCheck::Part + 1));
       isRead = this->Reader::ReadArrayValues(element, at, array, startIndex + k, count, type) != 0;
-      isOffsets ? list.LookAtOffsets(array, at, at + count) : list.LookAtIds(array, at, at + count);
+      list.LookAtIds(array, at, at + count);
     }
     this->SetProgressRange(range, 0, 1);
     return isRead;

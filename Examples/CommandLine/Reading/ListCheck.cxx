@@ -46,8 +46,8 @@ void ListCheck::Note(vtkCellArray* cells) const
   vtkDataArray* const offsets = cells->GetOffsetsArray();
   const vtkIdType last = offsets->GetNumberOfTuples() - 1;
   const vtkIdType ids = cells->GetConnectivityArray()->GetNumberOfTuples();
-  if (this->IsRight && last > 0 && this->OffsetsSeen == last && this->IdsSeen == ids &&
-    offsets->GetComponent(0, 0) == 0.0 &&
+  if (this->IsRight && last > 0 && (this->AreOffsetsTrusted || this->OffsetsSeen == last) &&
+    this->IdsSeen == ids && offsets->GetComponent(0, 0) == 0.0 &&
     offsets->GetComponent(last, 0) == static_cast<double>(ids))
   {
     NoteIdsBelow(cells, this->NumberOfPoints);

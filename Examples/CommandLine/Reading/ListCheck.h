@@ -24,8 +24,8 @@ namespace lambent::command
 class ListCheck
 {
 public:
-  /// How many values to read at once: a quarter of a megabyte, for second-level caches.
-  static constexpr vtkIdType Part = 1 << 15;
+  /// How many values to read at once: 128 kB, a small part of second-level caches.
+  static constexpr vtkIdType Part = 1 << 14;
 
   /// The ids have to be less than the number of points.
   explicit ListCheck(vtkIdType numberOfPoints = 0)
@@ -37,6 +37,9 @@ public:
   void LookAtOffsets(vtkDataArray* offsets, vtkIdType begin, vtkIdType end);
   void LookAtIds(vtkDataArray* ids, vtkIdType begin, vtkIdType end);
 
+  /// The reader checks the offsets, and makes no list of them unless they increase from 0.
+  void TrustOffsets() { this->AreOffsetsTrusted = true; }
+
   /// Notes in the list made of these arrays that it is right, if all of it was seen and is.
   void Note(vtkCellArray* cells) const;
 
@@ -44,6 +47,7 @@ private:
   vtkIdType NumberOfPoints;
   vtkIdType OffsetsSeen = 0;
   vtkIdType IdsSeen = 0;
+  bool AreOffsetsTrusted = false;
   bool IsRight = true;
 };
 
