@@ -105,7 +105,7 @@ configure() {
 configure_benchmarks() {
   build="$root/build/benchmarks"
   configure -DLAMBENT_BUILD_BENCHMARKS=ON -DLAMBENT_BUILD_TESTING=OFF \
-    -DLAMBENT_BUILD_EXAMPLES=OFF -DLAMBENT_WRAP_PYTHON=OFF
+    -DLAMBENT_BUILD_EXAMPLES=OFF -DLAMBENT_WRAP_PYTHON=OFF "$@"
 }
 
 compile() {

@@ -174,6 +174,50 @@ void Append(std::string& bytes, Value value, const std::string& format)
   bytes += raw;
 }
 
+/// Cells of any order, whose nodes VTK's reader sorts before version 5.1, and a polyhedron.
+vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(int type, const std::vector<vtkIdType>& ids)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < 27; ++k)
+  {
+    points->InsertNextPoint(k % 3, k / 3 % 3, k / 9);
+  }
+  grid->SetPoints(points);
+  grid->Allocate(1);
+  vtkNew<vtkIdList> list;
+  for (const vtkIdType id : ids)
+  {
+    list->InsertNextId(id);
+  }
+  grid->InsertNextCell(type, list);
+  return grid;
+}
+
+void AddSolids(std::vector<File>& files)
+{
+  const auto hexahedron = MakeSolid(VTK_LAGRANGE_HEXAHEDRON,
+    { 0, 2, 8, 6, 18, 20, 26, 24, 1, 5, 7, 3, 19, 23, 25, 21, 9, 11, 17, 15, 12, 14, 10, 16, 4, 22,
+      13 });
+  const auto polyhedron =
+    MakeSolid(VTK_POLYHEDRON, { 4, 3, 0, 1, 3, 3, 0, 3, 9, 3, 0, 9, 1, 3, 1, 9, 3 });
+  using Grid = vtkXMLUnstructuredGridWriter;
+  using Legacy42 = vtkUnstructuredGridWriter;
+  for (vtkUnstructuredGrid* const grid : { hexahedron.Get(), polyhedron.Get() })
+  {
+    files.push_back(Xml<Grid>(".vtu", grid, Grid::Ascii, Grid::NONE, false));
+    files.push_back(Xml<Grid>(".vtu", grid, Grid::Appended, Grid::NONE, false));
+    for (int fileType : { VTK_ASCII, VTK_BINARY })
+    {
+      files.push_back(Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_4_2, fileType));
+      files.push_back(Legacy<Legacy42>(grid, Legacy42::VTK_LEGACY_READER_VERSION_5_1, fileType));
+    }
+  }
+  files.push_back({ "list on the line of its keyword ", ".vtk",
+    "# vtk DataFile Version 3.0\ntest\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+    "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4 3\n0\n1\n2\n" });
+}
+
 /// vtkPLYWriter is in a module of its own.
 File Ply(const std::string& format)
 {
@@ -271,6 +315,7 @@ std::vector<File> MakeFiles()
   std::vector<File> files;
   AddXml(files);
   AddLegacy(files);
+  AddSolids(files);
   for (const char* const format : { "ascii", "binary_little_endian", "binary_big_endian" })
   {
     files.push_back(Ply(format));

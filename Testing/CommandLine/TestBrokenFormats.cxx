@@ -83,6 +83,12 @@ bool IsTried(const File& file, std::size_t size)
   return size + 20 > file.bytes.size() || size % (1 + file.bytes.size() / 50) == 0;
 }
 
+/// A text need not end its last line: half of the number at its end is another number.
+bool IsInLastNumber(const File& file, std::size_t size)
+{
+  return file.extension == ".off" && size > file.bytes.find_last_of(' ');
+}
+
 } // namespace
 
 TEST(BrokenFormats, CutShort)
@@ -101,7 +107,7 @@ TEST(BrokenFormats, CutShort)
         continue;
       }
       const Content cut = ReadFormat(scratch, file.bytes.substr(0, size));
-      if (cut.failure.empty() && cut.values != whole.values)
+      if (cut.failure.empty() && cut.values != whole.values && !IsInLastNumber(file, size))
       {
         EXPECT_NE(cut.warnings.find("cut short"), std::string::npos) << size << " bytes";
       }

@@ -125,16 +125,6 @@ class TestReading(CommandTest):
                     self.assertEqual(extension, ".obj")  # which does not tell how much there is
                 os.remove(self.path("x.pnm"))
 
-    def test_text_that_ends_within_a_number_brings_a_warning(self):
-        points = [(0, 0, 0)] * 8 + [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
-        for name, text in (("cut.vtk", make.vtk_text((points, [(8, 9, 10)]))),):
-            self.succeed(self.write(name, text), *VIEW, "-o", "x.png")
-            self.write(name, text[:-2])  # the third point is number 1
-            done = self.run_command(name, "-o", "x.png", *VIEW)
-            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
-            self.assertIn(b"warning: '%s': " % name.encode(), done.stderr)
-            self.assertIn(b"cut short", done.stderr)
-
     def test_sizes_that_cannot_be(self):
         # VTK's XML readers believe these, and crash.
         text = make.vtp(TETRAHEDRON)
@@ -147,11 +137,108 @@ class TestReading(CommandTest):
 
     def test_cells_of_another_type(self):
         tetrahedron = CUBE[:4], [(0, 1, 2, 3)]
-        for cell_type, words in ((12, "4 points and not 8"), (250, "no such type")):
-            self.write("wrong.vtk", make.vtk_grid(*tetrahedron, cell_type))
+        for cell_type, words in (
+                (12, "its cell 0 of type 12 (vtkHexahedron) has 4 points and not 8; correct"),
+                (5, "its cell 0 of type 5 (vtkTriangle) has 4 points and not 3; correct"),
+                (250, "its cell 0 of type 250 has 4 points, and there is no such type; correct"),
+                (36, "has 4 points; such cells have 6, 8, 10, ... points; correct"),
+                (72, "(vtkLagrangeHexahedron) has 4 points; such cells have 8, 27, 64, ... points"),
+                (74, "of type 74 has 4 points; such cells have 5, 14, 30, ... points; correct")):
+            for name, text in (("wrong.vtk", make.vtk_grid(*tetrahedron, cell_type)),
+                               ("wrong.vtu", make.vtu(*tetrahedron, cell_type))):
+                self.write(name, text)
+                line = self.fail_to_read(name)
+                self.assertIn(words, line)
+                self.assertNotIn("whole copy", line)  # which would have the same cell
+
+    def test_more_points_than_its_type_has(self):
+        # The second cell, of several.
+        cells = [(0, 1, 2), (1, 2, 3, 0), (0, 1, 3)]
+        for name, text in (("wrong.vtk", make.vtk_grid(CUBE, cells, 5)),
+                           ("wrong.vtu", make.vtu(CUBE, cells, 5))):
+            self.write(name, text)
+            self.assertIn("its cell 1 of type 5 (vtkTriangle) has 4 points and not 3",
+                          self.fail_to_read(name))
+
+    def test_polyhedra_without_faces(self):
+        # VTK's filters follow the list of faces wherever it leads.
+        self.write("wrong.vtu", make.vtu(CUBE, [(0, 1, 2, 4)], 42))
+        self.assertIn("its cell 0 of type 42 (vtkPolyhedron) has no faces; correct",
+                      self.fail_to_read("wrong.vtu"))
+        for stream in ((0,), (4, 3, 0, 1, 2), (1, 3, 0, 1, 9), (1, -3, 0, 1, 2), (1, 9, 0, 1, 2)):
+            self.write("wrong.vtk", make.vtk_grid(CUBE, [stream], 42))
+            self.assertIn("faces" if stream[-1] != 9 else "point 9, which does not exist",
+                          self.fail_to_read("wrong.vtk"))
+
+    def test_as_many_types_as_cells(self):
+        text = make.vtk_grid(CUBE, [tuple(range(8))] * 2, VOXEL)
+        for types, words in (("1\n11\n", "2 CELLS and 1 CELL_TYPES"),
+                             ("3\n11\n11\n11\n", "2 CELLS and 3 CELL_TYPES"),
+                             ("2\n11\n300\n", "cell 1 is of type 300, and there is no such")):
+            self.write("wrong.vtk", text[:text.index("CELL_TYPES ") + 11] + types)
             self.assertIn(words, self.fail_to_read("wrong.vtk"))
-            self.write("wrong.vtu", make.vtu(*tetrahedron, cell_type))
-            self.assertIn(words, self.fail_to_read("wrong.vtu"))
+
+    def test_a_list_on_the_line_of_its_keyword(self):
+        text = make.vtk_text(TETRAHEDRON)
+        picture = self.picture(self.write("lines.vtk", text))
+        at = text.index("POLYGONS")
+        end = text.index("\n", at)
+        for separator in (" ", "\t", "\r\n", "\n\n"):
+            self.write("line.vtk", text[:end] + separator + text[end + 1:])
+            self.assertEqual(self.picture("line.vtk"), picture)
+        self.write("line.vtk", text[:at] + text[at:].replace("\n", " "))
+        self.assertEqual(self.picture("line.vtk"), picture)
+
+    def test_a_list_of_another_length(self):
+        text = make.vtk_text(TETRAHEDRON)
+        for size, words in ((15, "at cell 3 of 4 of its POLYGONS"),
+                            (17, "has 16 numbers, and its first line says 17; correct that line"),
+                            (99999, "too small for the count of 99999")):
+            self.write("wrong.vtk", text.replace("POLYGONS 4 16", "POLYGONS 4 %d" % size))
+            self.assertIn(words, self.fail_to_read("wrong.vtk"))
+
+    def test_a_word_that_is_no_keyword(self):
+        self.write("wrong.vtk", make.vtk_text(TETRAHEDRON) + "TEXTURES 4\n")
+        self.assertIn("it has 'textures' where a keyword such as POINTS has to stand; correct",
+                      self.fail_to_read("wrong.vtk"))
+
+    def test_data_for_another_count(self):
+        text = make.vtk_text(TETRAHEDRON)
+        for data, words in (("POINT_DATA 5\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4 5\n",
+                             "POINT_DATA for 5 points, and 4 points; correct"),
+                            ("CELL_DATA 3\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3\n",
+                             "CELL_DATA for 3 cells, and 4 cells; correct")):
+            self.write("wrong.vtk", text + data)
+            self.assertIn(words, self.fail_to_read("wrong.vtk"))
+
+    def test_a_last_line_that_is_not_ended_is_whole(self):
+        for name, text in (("a.vtk", make.vtk_text(TETRAHEDRON)),
+                           ("b.vtk", make.vtk_grid(CUBE, [tuple(range(8))], VOXEL)),
+                           ("c.vtp", make.vtp(TETRAHEDRON)),
+                           ("d.vtu", make.vtu(CUBE, [tuple(range(8))], VOXEL))):
+            expected = self.picture(self.write(name, text))
+            self.write(name, text.rstrip("\n"))
+            self.assertEqual(self.picture(name), expected)  # and nothing is said
+
+    def test_another_type_inside(self):
+        multiblock = ('<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
+                      '<DataSet index="0" file="a.vtp"/></vtkMultiBlockDataSet></VTKFile>\n')
+        grid = make.vtu(CUBE, [tuple(range(8))], VOXEL)
+        for name, text, words in (
+                ("a.vtp", multiblock, "it holds vtkMultiBlockDataSet and not PolyData; "),
+                ("a.vtu", multiblock, "it holds vtkMultiBlockDataSet and not UnstructuredGrid"),
+                ("b.vtp", grid, "it holds UnstructuredGrid and not PolyData; rename it so that "
+                 "its name ends in .vtu"),
+                ("b.vtu", make.vtp(TETRAHEDRON), "it holds PolyData and not UnstructuredGrid; "
+                 "rename it so that its name ends in .vtp"),
+                ("c.vtp", "<html><body></body></html>\n", "begins with <html>"),
+                ("d.vtp", make.vtk_text(TETRAHEDRON), "ends in .vtk"),
+                ("e.vtk", make.vtp(TETRAHEDRON), "ends in .vtp"),
+                ("f.vtk", grid, "ends in .vtu")):
+            self.write(name, text)
+            line = self.fail_to_read(name)
+            self.assertIn(words, line)
+            self.assertNotIn("whole", line)
 
     def test_keywords_in_small_letters(self):
         # As VTK's reader takes them; and a title that looks like the line behind it.
@@ -209,7 +296,11 @@ class TestReading(CommandTest):
                               ("e.vtk", make.vtk_text(wrong)), ("f.vtk", make.vtk_binary(negative)),
                               ("g.vtu", make.vtu(CUBE, [(0, 1, 2, 3, 4, 5, 6, 8)], VOXEL))):
             self.write(name, content)
-            self.assertIn("does not exist", self.fail_to_read(name))
+            line = self.fail_to_read(name)
+            self.assertIn("does not exist", line)
+            if name[-4:] in (".vtp", ".vtk", ".vtu"):
+                self.assertRegex(line, "its (polygon 1|cell 0) names point (4|-1|8), .* the file "
+                                 "has (4|8) points, from 0 on; correct it")
 
     def test_counts_that_no_file_could_hold(self):
         text = make.ply_text(SQUARE)

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command reads by itself: PLY, STL and OBJ files, and legacy VTK files that are looked
-// over before VTK reads them. A Failure, or a sound mesh.
+// What the command reads by itself: PLY, STL and OBJ files. A Failure, or a sound mesh.
 #include "FuzzInput.h"
 
 #include "CheckCells.h"
-#include "CheckLegacyVtk.h"
 #include "Messages.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
@@ -19,7 +17,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 
 using namespace lambent::command;
 
@@ -92,11 +89,7 @@ void checkIds(vtkPolyData* mesh)
 void read(std::string_view text, const std::string& path)
 {
   const auto progress = [](double) {};
-  if (text.substr(0, 5) == "# vtk")
-  {
-    CheckLegacyVtk(path);
-  }
-  else if (text.substr(0, 3) == "ply")
+  if (text.substr(0, 3) == "ply")
   {
     check(ReadPly(path, progress));
   }
@@ -114,11 +107,10 @@ void read(std::string_view text, const std::string& path)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   vtkObject::GlobalWarningDisplayOff(); // of texts whose last line is not ended, as most are here
-  const std::string_view text(reinterpret_cast<const char*>(data), size);
   const NamelessFile file(data, size);
   try
   {
-    read(text, file.path());
+    read({ reinterpret_cast<const char*>(data), size }, file.path());
   }
   catch (const Failure& failure)
   {

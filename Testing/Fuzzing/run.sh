@@ -24,7 +24,7 @@ case ${1:-} in
     shift
     ;;
 esac
-[ $# -gt 0 ] || set -- FuzzCore FuzzNormals FuzzRayTracer FuzzFiles FuzzOptions
+[ $# -gt 0 ] || set -- FuzzCore FuzzNormals FuzzRayTracer FuzzFiles FuzzVtkFiles FuzzOptions
 
 need "fuzzing" clang libclang-rt-14-dev llvm
 need_build

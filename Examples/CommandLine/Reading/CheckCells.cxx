@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CheckCells.h"
+#include "CheckFaces.h"
+#include "HigherOrder.h"
+#include "IdArrays.h"
+#include "ListCheck.h"
 #include "Messages.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArrayRange.h"
+#include "vtkCellType.h"
 #include "vtkGenericCell.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <atomic>
 #include <string>
 
 namespace lambent::command
@@ -19,67 +25,167 @@ namespace lambent::command
 namespace
 {
 
-/// Points of a cell of that type, 0 if it may have any number; nothing for an unknown type.
-std::optional<vtkIdType> PointsOfType(int type)
+/// Whether isRight(begin, end) for all parts of a range.
+template <typename Check>
+bool IsRight(vtkIdType count, const Check& isRight)
 {
+  std::atomic<bool> all{ true };
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (!isRight(begin, end))
+      {
+        all = false;
+      }
+    });
+  return all;
+}
+
+/// Whether offsets[0 .. last] increase from 0 to the number of ids.
+template <typename Value>
+bool AreOffsetsSound(const Value* offsets, vtkIdType last, vtkIdType ids)
+{
+  return offsets[0] == 0 && offsets[last] == ids &&
+    IsRight(
+      last, [offsets](vtkIdType begin, vtkIdType end) { return DoIncrease(offsets, begin, end); });
+}
+
+/// Whether all ids are from 0 to less than the number of points.
+template <typename Value>
+bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
+{
+  return count == 0 ||
+    (numberOfPoints > 0 &&
+      IsRight(count,
+        [ids, numberOfPoints](vtkIdType begin, vtkIdType end)
+        { return AreIdsBelow(numberOfPoints, ids, begin, end); }));
+}
+
+[[noreturn]] void FailForPoint(
+  vtkCellArray* cells, vtkIdType at, vtkIdType id, vtkIdType numberOfPoints, const char* word)
+{
+  const vtkIdType offsets = cells->GetNumberOfCells() + 1;
+  vtkIdType cell = 0;
+  VisitValues(cells->GetOffsetsArray(),
+    [&cell, offsets, at](const auto* starts)
+    { cell = std::upper_bound(starts, starts + offsets, at) - starts - 1; });
+  throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
+    std::to_string(id) + ", which does not exist: the file has " + std::to_string(numberOfPoints) +
+    " points, from 0 on; correct it in the program that writes the file, or get a whole copy");
+}
+
+/// What is expected of the points of a cell.
+struct Points
+{
+  bool IsKnown = false;  ///< there is such a type
+  vtkIdType Exactly = 0; ///< if this is not 0
+  bool IsEven = false;   ///< corners, and as many nodes between them
+  bool IsLooked = false; ///< this has been looked up
+};
+
+Points PointsOfType(int type)
+{
+  Points points;
+  points.IsLooked = true;
+  points.IsEven = type == VTK_QUADRATIC_POLYGON;
   if (type == VTK_EMPTY_CELL)
   {
-    return 0;
+    points.IsKnown = true;
+    return points;
   }
   const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-  return cell ? std::make_optional(cell->GetNumberOfPoints()) : std::nullopt;
+  points.IsKnown = cell != nullptr;
+  points.Exactly = cell ? cell->GetNumberOfPoints() : 0;
+  return points;
+}
+
+void CheckCount(const Points& points, vtkIdType count, vtkIdType cell, int type)
+{
+  if (!points.IsKnown)
+  {
+    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
+      " points, and there is no such type" + CorrectCell);
+  }
+  if (points.Exactly > 0 && points.Exactly != count)
+  {
+    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) + " points and not " +
+      std::to_string(points.Exactly) + CorrectCell);
+  }
+  if (points.IsEven && (count % 2 != 0 || count < 6))
+  {
+    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
+      " points; such cells have 6, 8, 10, ... points" + CorrectCell);
+  }
 }
 
 } // namespace
 
-void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints)
+void CheckOffsets(vtkCellArray* cells, const char* word)
 {
-  if (!cells || cells->GetNumberOfCells() == 0)
+  vtkDataArray* const offsets = cells->GetOffsetsArray();
+  const vtkIdType count = offsets->GetNumberOfTuples();
+  const vtkIdType ids = cells->GetConnectivityArray()->GetNumberOfTuples();
+  bool isSound = false;
+  if (count > 0)
   {
-    return;
-  }
-  bool isSound = cells->IsValid();
-  const auto check = [&isSound, numberOfPoints](auto* connectivity)
-  {
-    for (const auto id : vtk::DataArrayValueRange<1>(connectivity))
-    {
-      isSound &= id >= 0 && id < numberOfPoints;
-    }
-  };
-  if (cells->IsStorage64Bit())
-  {
-    check(cells->GetConnectivityArray64());
-  }
-  else
-  {
-    check(cells->GetConnectivityArray32());
+    VisitValues(offsets,
+      [&isSound, count, ids](const auto* values)
+      { isSound = AreOffsetsSound(values, count - 1, ids); });
   }
   if (!isSound)
   {
-    throw Failure("it has a cell that names a point that does not exist, of " +
-      std::to_string(numberOfPoints) + " points; get a whole copy of it");
+    throw Failure("it is broken: where each " + std::string(word) +
+      " begins in the list of their points does not add up; get a whole copy of it");
   }
+}
+
+void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word)
+{
+  if (!cells || cells->GetNumberOfCells() == 0 || AreIdsKnownBelow(cells, numberOfPoints))
+  {
+    return;
+  }
+  CheckOffsets(cells, word);
+  vtkDataArray* const connectivity = cells->GetConnectivityArray();
+  const vtkIdType count = connectivity->GetNumberOfTuples();
+  VisitValues(connectivity,
+    [=](const auto* ids)
+    {
+      if (!AreIdsSound(ids, count, numberOfPoints))
+      {
+        const auto* const wrong = std::find_if(
+          ids, ids + count, [numberOfPoints](auto id) { return id < 0 || id >= numberOfPoints; });
+        FailForPoint(cells, wrong - ids, *wrong, numberOfPoints, word);
+      }
+    });
 }
 
 void CheckCells(vtkUnstructuredGrid* grid)
 {
-  CheckCells(grid->GetCells(), grid->GetNumberOfPoints());
-  std::array<std::optional<std::optional<vtkIdType>>, 256> pointsOfType; // a type is a byte
+  vtkCellArray* const cells = grid->GetCells();
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  CheckCells(cells, grid->GetNumberOfPoints());
+  std::array<Points, 256> pointsOfType; // a type is a byte
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
     const int type = grid->GetCellType(cell);
-    auto& expected = pointsOfType.at(static_cast<std::size_t>(type));
-    if (!expected)
+    if (HigherOrderShape(type) != Shape::Linear)
     {
-      expected = PointsOfType(type);
+      CheckHigherOrder(grid, cell, type);
+      continue;
     }
-    const vtkIdType count = grid->GetCells()->GetCellSize(cell);
-    if (!*expected || (**expected > 0 && **expected != count))
+    Points& points = pointsOfType.at(static_cast<std::size_t>(type));
+    if (!points.IsLooked)
     {
-      throw Failure("its cell " + std::to_string(cell) + " of type " + std::to_string(type) +
-        " has " + std::to_string(count) + " points" +
-        (*expected ? " and not " + std::to_string(**expected) : ", and there is no such type") +
-        "; get a whole copy of it");
+      points = PointsOfType(type);
+    }
+    CheckCount(points, cells->GetCellSize(cell), cell, type);
+    if (type == VTK_POLYHEDRON)
+    {
+      CheckFaces(grid, cell);
     }
   }
 }

@@ -19,11 +19,14 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// Throws Failure unless every cell names points that exist.
-void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints);
+/// Throws Failure unless the points of each cell are a part of the list of ids.
+void CheckOffsets(vtkCellArray* cells, const char* word = "cell");
 
-/// Also unless each is of a type that VTK knows, and has as many points as that type has. How the
-/// faces of polyhedra and the nodes of cells of any order are laid out is not looked at.
+/// Also unless every cell names points that exist. The message calls a cell by `word`.
+void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word = "cell");
+
+/// Also unless each is of a type that VTK knows, and has as many points as that type has, and the
+/// faces of each polyhedron are whole.
 void CheckCells(vtkUnstructuredGrid* grid);
 
 } // namespace lambent::command

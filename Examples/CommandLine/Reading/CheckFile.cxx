@@ -4,8 +4,6 @@
 #include "CheckFile.h"
 #include "Messages.h"
 
-#include "vtkObject.h"
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -38,14 +36,6 @@ void CheckFile(const std::string& path, bool mayBeEmpty)
   if (!mayBeEmpty && std::filesystem::file_size(path, error) == 0)
   {
     throw Failure("it is empty; get a whole copy of it");
-  }
-}
-
-void CheckLastByte(char last)
-{
-  if (last != '\n')
-  {
-    vtkGenericWarningMacro("it does not end with the end of a line; it may be cut short");
   }
 }
 

@@ -16,9 +16,6 @@ namespace lambent::command
 /// Throws Failure unless there is a regular file that may be read, with something in it.
 void CheckFile(const std::string& path, bool mayBeEmpty = false);
 
-/// Warns if this, the last byte of a text, does not end a line: the last number in it may be cut.
-void CheckLastByte(char last);
-
 } // namespace lambent::command
 
 #endif

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief keep VTK's XML readers from sizes that would make them crash
+ * @brief look over the sizes in an XML file of VTK before another reads it
  *
- * VTK's readers believe three kinds of sizes in a file. In front of compressed
- * data stands how many blocks there are and how large they are; where these do
- * not fit each other, vtkXMLDataParser reads beyond its list of blocks or divides
- * by zero. For the counts of a piece, and for as many point ids as the last
- * offset of its cells says, memory is taken; if they are so large that the number
- * of bytes overflows, it is too little. Here all of these are looked over first,
- * with the readers' own parser.
+ * The checks of CheckedXmlParser.h, and that of the last offset of each list of
+ * cells, in a pass of their own. It costs up to twice as much as to read the
+ * file. Where a reader can be derived from, CheckedXmlReader.h does the same
+ * within the reading.
  */
 
 #ifndef CheckXml_h

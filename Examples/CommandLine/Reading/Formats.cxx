@@ -4,11 +4,11 @@
 #include "Formats.h"
 #include "FileKinds.h"
 #include "Messages.h"
+#include "ReadLegacyVtk.h"
 #include "Readers.h"
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
@@ -115,20 +115,6 @@ bool Contains(const char* words, const std::string& word)
   return false;
 }
 
-/// The first bytes of a file in small letters: as legacy files may write their keywords.
-std::string StartOf(const std::string& path)
-{
-  std::string start(1024, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, file.gcount())));
-  for (char& c : start)
-  {
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
-  return start;
-}
-
 /// Without the ".gz" of a gzipped file.
 std::string InnerExtensionOf(const std::string& path)
 {
@@ -175,11 +161,8 @@ Trust TrustIn(const Format& format, const std::string& path)
 {
   if (format.kind == MeshKind::LegacyVtk)
   {
-    // What CheckLegacyVtk() checks is cells; sizes of images and grids it leaves to the reader.
-    const std::string start = StartOf(path);
-    const bool hasCells = start.find("polydata") != std::string::npos ||
-      start.find("unstructured_grid") != std::string::npos;
-    return hasCells ? Trust::Checked : Trust::Isolated;
+    // The sizes of images and grids are left to VTK's readers.
+    return LegacyTypeOf(path) == LegacyType::Other ? Trust::Isolated : Trust::Checked;
   }
   return format.trust;
 }

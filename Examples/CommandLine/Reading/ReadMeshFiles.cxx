@@ -3,9 +3,10 @@
 
 // The readers of this file run in the command's own process: each has a check of its own.
 
-#include "CheckLegacyVtk.h"
-#include "CheckXml.h"
+#include "CheckXmlType.h"
+#include "CheckedXmlReader.h"
 #include "Progress.h"
+#include "ReadLegacyVtk.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
 #include "ReadStl.h"
@@ -32,21 +33,30 @@ auto Follow(Progress& progress)
 vtkSmartPointer<vtkDataObject> ReadVtpFile(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
-  CheckXml(path);
-  return Read<vtkXMLPolyDataReader>(path, messages, progress);
+  CheckVtkStart(path, true);
+  return Read<CheckedXmlReader<vtkXMLPolyDataReader>>(path, messages, progress);
 }
 
 vtkSmartPointer<vtkDataObject> ReadVtuFile(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
-  CheckXml(path);
-  return Read<vtkXMLUnstructuredGridReader>(path, messages, progress);
+  CheckVtkStart(path, true);
+  return Read<CheckedXmlReader<vtkXMLUnstructuredGridReader>>(path, messages, progress);
 }
 
 vtkSmartPointer<vtkDataObject> ReadLegacyVtkFile(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
-  CheckLegacyVtk(path);
+  CheckVtkStart(path, false);
+  switch (LegacyTypeOf(path))
+  {
+    case LegacyType::PolyData:
+      return Read<LegacyPolyDataReader>(path, messages, progress);
+    case LegacyType::UnstructuredGrid:
+      return Read<LegacyGridReader>(path, messages, progress);
+    case LegacyType::Other:
+      break;
+  }
   return Read<vtkGenericDataObjectReader>(path, messages, progress);
 }
 

@@ -6,7 +6,6 @@
 // are needed on such a line is colour, and passed over. A count is believed only if the rest of the
 // file can hold it. Reference: the manual of Geomview, "OFF Files".
 
-#include "CheckFile.h"
 #include "FileBytes.h"
 #include "Messages.h"
 #include "OffCursor.h"
@@ -178,10 +177,6 @@ vtkSmartPointer<vtkDataObject> ReadOff(const std::string& path, VtkMessages&, Pr
   if (cursor.Skip())
   {
     vtkGenericWarningMacro("there is more in it than its counts promise; that is ignored");
-  }
-  else if (!file.view().empty())
-  {
-    CheckLastByte(file.view().back());
   }
   return mesh;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadThroughVtk.h"
+#include "CheckedReader.h"
 #include "Messages.h"
 #include "Progress.h"
 
@@ -20,6 +21,11 @@ const char* const Advice = "; is it whole, and of the kind that its name tells?"
 
 void ThrowErrors(vtkAlgorithm* reader, VtkMessages& messages)
 {
+  const auto* const checked = dynamic_cast<const CheckedReader*>(reader);
+  if (checked && !checked->GetFailure().empty())
+  {
+    throw Failure(checked->GetFailure());
+  }
   const std::string error = messages.TakeError();
   if (!error.empty())
   {

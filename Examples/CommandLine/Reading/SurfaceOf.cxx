@@ -3,6 +3,7 @@
 
 #include "SurfaceOf.h"
 #include "CheckCells.h"
+#include "LinearCells.h"
 #include "Messages.h"
 #include "Progress.h"
 
@@ -29,10 +30,8 @@ void CheckDataSet(vtkDataSet* data)
 {
   if (auto* const mesh = vtkPolyData::SafeDownCast(data))
   {
-    for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
-    {
-      CheckCells(cells, mesh->GetNumberOfPoints());
-    }
+    CheckCells(mesh->GetPolys(), mesh->GetNumberOfPoints(), "polygon");
+    CheckCells(mesh->GetStrips(), mesh->GetNumberOfPoints(), "strip");
   }
   else if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
@@ -81,9 +80,14 @@ vtkSmartPointer<vtkPolyData> OuterSurface(
                   "--contour VALUE[,ARRAY]; its arrays: " +
       DescribeArrays({ data }));
   }
+  vtkSmartPointer<vtkDataSet> linear = data;
+  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    linear = WithLinearCells(grid);
+  }
   vtkNew<vtkDataSetSurfaceFilter> surface;
   progress.Follow(surface);
-  surface->SetInputData(data);
+  surface->SetInputData(linear);
   surface->Update();
   const std::string error = messages.TakeError();
   if (!error.empty())

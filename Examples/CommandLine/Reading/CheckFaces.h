@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief whether the faces of a polyhedron can be worked with
+ */
+
+#ifndef CheckFaces_h
+#define CheckFaces_h
+
+#include "vtkType.h"
+
+class vtkUnstructuredGrid;
+
+namespace lambent::command
+{
+
+/// Throws Failure unless this cell, a polyhedron, has faces, and these name points that exist.
+void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell);
+
+} // namespace lambent::command
+
+#endif

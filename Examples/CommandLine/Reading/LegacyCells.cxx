@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LegacyCells.h"
+#include "CheckCells.h"
+#include "HigherOrder.h"
+#include "ListCheck.h"
+#include "Messages.h"
+
+#include "vtkByteSwap.h"
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataReader.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointSet.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <istream>
+#include <memory>
+
+namespace lambent::command
+{
+namespace
+{
+
+[[noreturn]] void FailAtCell(const std::string& keyword, vtkIdType cell, vtkIdType cells)
+{
+  throw Failure("it is cut short or broken at cell " + std::to_string(cell) + " of " +
+    std::to_string(cells) + " of its " + keyword + "; get a whole copy of it");
+}
+
+vtkSmartPointer<vtkCellArray> ListOf(vtkDataArray* offsets, vtkDataArray* connectivity)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+/// Goes through "count, ids, count, ids, ...", of which only the first ones have been read.
+vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cells,
+  const int* numbers, vtkIdType size, vtkIdType numbersRead, ListCheck check)
+{
+  if (cells > size)
+  {
+    FailAtCell(keyword, size, cells);
+  }
+  const vtkIdType ids = size - cells;
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  offsets->SetNumberOfValues(cells + 1);
+  connectivity->SetNumberOfValues(ids);
+  vtkIdType seen = 0;
+  const auto look = [&](vtkIdType end)
+  {
+    check.LookAtIds(connectivity, seen, end);
+    seen = end;
+  };
+  vtkTypeInt64* const to = connectivity->GetPointer(0);
+  vtkIdType at = 0;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    const vtkIdType first = at - cell; // each cell before has one number that is not an id
+    offsets->SetValue(cell, first);
+    const vtkIdType count = at < numbersRead ? numbers[at] : -1;
+    if (count < 0 || count > numbersRead - at - 1 || count > ids - first)
+    {
+      FailAtCell(keyword, cell, cells);
+    }
+    ++at;
+    std::copy(numbers + at, numbers + at + count, to + first);
+    at += count;
+    if (first + count - seen >= ListCheck::Part)
+    {
+      look(first + count);
+    }
+  }
+  if (at != size)
+  {
+    throw Failure("the list of its " + std::to_string(cells) + " " + keyword + " has " +
+      std::to_string(at) + " numbers, and its first line says " + std::to_string(size) +
+      "; correct that line, or get a whole copy");
+  }
+  offsets->SetValue(cells, ids);
+  look(ids);
+  check.LookAtOffsets(offsets, 1, cells + 1);
+  const auto result = ListOf(offsets, connectivity);
+  check.Note(result);
+  return result;
+}
+
+/// Reads values from the next line on; `look` is given each part that was read.
+template <typename Look>
+bool ReadParts(std::istream& stream, vtkTypeInt64Array* array, vtkIdType count, const Look& look)
+{
+  array->SetNumberOfValues(count);
+  std::string restOfLine;
+  std::getline(stream, restOfLine);
+  for (vtkIdType begin = 0; begin < count; begin += ListCheck::Part)
+  {
+    const vtkIdType end = std::min(begin + ListCheck::Part, count);
+    vtkTypeInt64* const values = array->GetPointer(begin);
+    if (!stream.read(reinterpret_cast<char*>(values),
+          static_cast<std::streamsize>(sizeof(*values)) * (end - begin)))
+    {
+      return false;
+    }
+    vtkByteSwap::Swap8BERange(values, static_cast<std::size_t>(end - begin));
+    look(begin, end);
+  }
+  return true;
+}
+
+/// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
+bool IsStreamOfFaces(vtkIdType size, const vtkIdType* stream)
+{
+  if (size < 1 || stream[0] < 1)
+  {
+    return false;
+  }
+  vtkIdType at = 1;
+  for (vtkIdType left = stream[0]; left > 0; --left)
+  {
+    if (at >= size || stream[at] < 0 || stream[at] > size - at - 1)
+    {
+      return false;
+    }
+    at += stream[at] + 1;
+  }
+  return at == size;
+}
+
+} // namespace
+
+vtkIdType LegacyCells::ReadCount(const std::string& keyword) const
+{
+  vtkIdType count = 0;
+  if (!this->Reader->Read(&count))
+  {
+    throw Failure("it is cut short or broken: no count follows its keyword " + keyword +
+      "; get a whole copy of it");
+  }
+  if (count < 0 || static_cast<std::uint64_t>(count) > this->FileSize)
+  {
+    throw Failure("it is cut short or broken: it is too small for the count of " +
+      std::to_string(count) + " behind its keyword " + keyword + "; get a whole copy of it");
+  }
+  return count;
+}
+
+vtkSmartPointer<vtkCellArray> LegacyCells::ReadCells(const std::string& keyword) const
+{
+  return this->Reader->GetFileMajorVersion() >= 5 ? this->ReadOffsets(keyword)
+                                                  : this->ReadList(keyword);
+}
+
+std::size_t LegacyCells::ReadNumbers(int* numbers, std::size_t count) const
+{
+  if (this->Reader->GetFileType() == VTK_BINARY)
+  {
+    std::istream& stream = *this->Reader->GetIStream();
+    std::string restOfLine;
+    std::getline(stream, restOfLine);
+    stream.read(reinterpret_cast<char*>(numbers), static_cast<std::streamsize>(4 * count));
+    const std::size_t numbersRead = static_cast<std::size_t>(stream.gcount()) / 4;
+    vtkByteSwap::Swap4BERange(numbers, numbersRead);
+    return numbersRead;
+  }
+  std::size_t numbersRead = 0;
+  while (numbersRead < count && this->Reader->Read(numbers + numbersRead))
+  {
+    ++numbersRead;
+  }
+  return numbersRead;
+}
+
+vtkSmartPointer<vtkCellArray> LegacyCells::ReadList(const std::string& keyword) const
+{
+  const vtkIdType cells = this->ReadCount(keyword);
+  const vtkIdType size = this->ReadCount(keyword);
+  const auto count = static_cast<std::size_t>(size);
+  const std::unique_ptr<int[]> numbers(new int[count]); // not make_unique: it would fill them
+  const std::size_t numbersRead = this->ReadNumbers(numbers.get(), count);
+  return CellsOf(keyword, cells, numbers.get(), size, static_cast<vtkIdType>(numbersRead),
+    ListCheck(this->Points->GetNumberOfPoints()));
+}
+
+bool LegacyCells::AreNextWords(const char* first, const char* second) const
+{
+  for (const char* const expected : { first, second })
+  {
+    char word[256];
+    if (!this->Reader->ReadString(word) || std::string(this->Reader->LowerCase(word)) != expected)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Nothing unless these are the arrays of a binary file as VTK writes them.
+vtkSmartPointer<vtkCellArray> LegacyCells::ReadInParts(vtkIdType offsets, vtkIdType ids) const
+{
+  std::istream& stream = *this->Reader->GetIStream();
+  vtkNew<vtkTypeInt64Array> starts;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  ListCheck check(this->Points->GetNumberOfPoints());
+  const auto lookAtStarts = [&](vtkIdType begin, vtkIdType end)
+  { check.LookAtOffsets(starts, std::max<vtkIdType>(begin, 1), end); };
+  const auto lookAtIds = [&](vtkIdType begin, vtkIdType end)
+  { check.LookAtIds(connectivity, begin, end); };
+  if (this->Reader->GetFileType() != VTK_BINARY || offsets < 1 || ids < 1 ||
+    !this->AreNextWords("offsets", "vtktypeint64") ||
+    !ReadParts(stream, starts, offsets, lookAtStarts) ||
+    !this->AreNextWords("connectivity", "vtktypeint64") ||
+    !ReadParts(stream, connectivity, ids, lookAtIds))
+  {
+    return nullptr;
+  }
+  const std::istream::pos_type end = stream.tellg();
+  char word[256];
+  const bool hasMetadata =
+    this->Reader->ReadString(word) && std::string(this->Reader->LowerCase(word)) == "metadata";
+  stream.clear();
+  stream.seekg(end);
+  if (hasMetadata)
+  {
+    return nullptr;
+  }
+  auto cells = ListOf(starts, connectivity);
+  check.Note(cells);
+  return cells;
+}
+
+/// From version 5 on, arrays of offsets and of ids.
+vtkSmartPointer<vtkCellArray> LegacyCells::ReadOffsets(const std::string& keyword) const
+{
+  std::istream& stream = *this->Reader->GetIStream();
+  const std::istream::pos_type start = stream.tellg();
+  const vtkIdType offsets = this->ReadCount(keyword);
+  const vtkIdType ids = this->ReadCount(keyword);
+  vtkSmartPointer<vtkCellArray> cells = this->ReadInParts(offsets, ids);
+  if (!cells)
+  {
+    stream.clear();
+    stream.seekg(start); // VTK knows what else there may be
+    if (!this->Reader->ReadCells(cells) || !cells)
+    {
+      throw Failure("it is cut short or broken in its " + keyword + "; get a whole copy of it");
+    }
+  }
+  if (!AreIdsKnownBelow(cells, this->Points->GetNumberOfPoints()))
+  {
+    CheckOffsets(cells);
+  }
+  return cells;
+}
+
+std::vector<int> LegacyCells::ReadTypes() const
+{
+  std::vector<int> types(static_cast<std::size_t>(this->ReadCount("CELL_TYPES")));
+  if (this->ReadNumbers(types.data(), types.size()) != types.size())
+  {
+    throw Failure("it is cut short or broken in its CELL_TYPES; get a whole copy of it");
+  }
+  return types;
+}
+
+void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<int>& types)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  if (static_cast<vtkIdType>(types.size()) != count)
+  {
+    throw Failure("it has " + std::to_string(count) + " CELLS and " + std::to_string(types.size()) +
+      " CELL_TYPES; get a whole copy of it");
+  }
+  vtkNew<vtkIdList> stream;
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    const int type = types[static_cast<std::size_t>(cell)];
+    if (type < 0 || type > 255)
+    {
+      throw Failure("its cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
+        ", and there is no such type" + CorrectCell);
+    }
+    if (type == VTK_POLYHEDRON)
+    {
+      cells->GetCellAtId(cell, stream);
+      if (!IsStreamOfFaces(stream->GetNumberOfIds(), stream->GetPointer(0)))
+      {
+        throw Failure("it is broken: the faces of its cell " + std::to_string(cell) +
+          " do not add up; get a whole copy of it");
+      }
+    }
+  }
+  grid->SetCells(types.data(), cells);
+}
+
+} // namespace lambent::command
