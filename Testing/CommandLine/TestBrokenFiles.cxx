@@ -28,7 +28,8 @@ bool HasLostAllPolygons(const Content& cut)
 /// text need not end its last line: half of the number at its end is another number.
 bool MayPass(const File& file, std::size_t size)
 {
-  const bool isInLastNumber = file.bytes.find_last_of(' ', file.bytes.size() - 3) < size;
+  const std::size_t end = file.bytes.find_last_not_of(" \n");
+  const bool isInLastNumber = file.bytes.find_last_of(" \n", end) < size;
   return file.extension == ".obj" || (IsText(file) && isInLastNumber);
 }
 

@@ -9,6 +9,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <cerrno>
 #include <csignal>
@@ -24,10 +25,15 @@ namespace lambent::command
 namespace
 {
 
-/// Parts the child from what is the parent's: its handlers, which tidy up, and the terminal.
+/// How many times its CPU time a reader may take altogether: one that waits takes none.
+constexpr unsigned long waitFactor = 12;
+
+/// Parts the child from what is the parent's: its handlers, which tidy up, the terminal, and the
+/// threads of VTK, which a child does not inherit and would wait for.
 void Detach()
 {
-  for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU })
+  vtkSMPTools::SetBackend("Sequential");
+  for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGALRM })
   {
     std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
   }
@@ -135,10 +141,11 @@ private:
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const std::string advice = "; is it whole, and of the kind that its name tells?";
-  if (signal == SIGXCPU)
+  if (signal == SIGXCPU || signal == SIGALRM)
   {
-    throw Failure("its reader came to no end in " + std::to_string(limits.seconds) +
-      " seconds of CPU time" + advice);
+    const unsigned long factor = signal == SIGALRM ? waitFactor : 1;
+    throw Failure("its reader came to no end in " + std::to_string(factor * limits.seconds) +
+      (signal == SIGALRM ? " seconds" : " seconds of CPU time") + advice);
   }
   if (signal == SIGKILL)
   {
@@ -164,6 +171,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
     close(ends[0]);
     Detach();
     TakeLimits(limits);
+    alarm(static_cast<unsigned int>(waitFactor * limits.seconds));
     ReadAndSend(read, ends[1], messages, progress);
     _exit(0); // destructors and exit handlers are the parent's
   }
