@@ -124,7 +124,7 @@ MUTATIONS = [
      "from 90 degrees on there is no cone"),
     (SHADING, "light.positional && light.attenuation != Vec3", "light.attenuation != Vec3",
      "directional lights are not attenuated"),
-    (SHADING, "(a * hit.e0 + b * hit.e1) + c * hit.e2;", "(a * hit.e1 + b * hit.e0) + c * hit.e2;",
+    (SHADING, "normal(0) * hit.e0 + normal(1) * hit.e1", "normal(0) * hit.e1 + normal(1) * hit.e0",
      "normals go with their corners"),
     (SHADING, "isBack && !this->TwoSided ? -m : m", "isBack ? -m : m",
      "smooth normals turn to the viewer"),
@@ -182,7 +182,8 @@ MUTATIONS = [
     (ELEMENTARY, "tangent = isSwapped ? -quotient", "tangent = isSwapped ? quotient",
      "signs of the tangent"),
     # Polygons and strips.
-    (TRIANGULATION, "put(out, p[k % 2], p[1 - k % 2], p[2])", "put(out, p[0], p[1], p[2])",
+    (TRIANGULATION, "putTriangle(out, p[k % 2], p[1 - k % 2], p[2])",
+     "putTriangle(out, p[0], p[1], p[2])",
      "strips alternate"),
     (TRIANGULATION, "const bool isConcave = this->Shape.isConcave();",
      "const bool isConcave = false;", "concave polygons are cut by their ears"),
