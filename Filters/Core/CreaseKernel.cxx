@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "VectorAngles.h"
+#include "VectorTriples.h"
 
 #include "Creases.h"
 

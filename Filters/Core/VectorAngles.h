@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief CornerAngles.h for several triangles at a time, and vectors, for kernels
+ * @brief CornerAngles.h for several triangles at a time, for kernels
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -14,7 +14,7 @@
 #endif
 
 #include "CornerAngles.h"
-#include "VectorDoubles.h"
+#include "VectorTriples.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,59 +32,15 @@ using I = hn::Vec<DI>;
 constexpr DI di;
 using DI32 = hn::Rebind<std::int32_t, D>;
 constexpr DI32 di32;
-using DF = hn::Rebind<float, D>;
-constexpr DF df;
-
-V toDouble(V value)
-{
-  return value;
-}
-
-V toDouble(hn::Vec<DF> value)
-{
-  return hn::PromoteTo(d, value);
-}
-
-struct Vector3
-{
-  V x, y, z;
-};
-
-Vector3 operator-(const Vector3& a, const Vector3& b)
-{
-  return { hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z) };
-}
 
 Vector3 operator*(const Vector3& a, V s)
 {
   return { hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s) };
 }
 
-V dot(const Vector3& a, const Vector3& b)
-{
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-V difference(V a, V b, V c, V e)
-{
-  return hn::Sub(hn::Mul(a, b), hn::Mul(c, e));
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return { difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
-    difference(a.x, b.y, a.y, b.x) };
-}
-
 V inverse(V a)
 {
   return hn::Div(hn::Set(d, 1.0), a);
-}
-
-M isUsable(V square)
-{
-  return hn::And(hn::Ge(square, hn::Set(d, std::numeric_limits<double>::min())),
-    hn::Le(square, hn::Set(d, std::numeric_limits<double>::max())));
 }
 
 /// a + b t
