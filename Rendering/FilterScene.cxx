@@ -22,6 +22,11 @@ FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyD
   this->addCamera(parallel);
   this->addLights();
   this->addBackground();
+  if (!std::isfinite(filter->GetFeatureAngle()))
+  {
+    throw std::runtime_error(
+      "The feature angle is not a finite number. Call SetFeatureAngle() with 0 to 180 degrees.");
+  }
   constexpr double smoothEverywhere = 180.0;
   this->Surfaces.addNormals(filter->GetUsePointNormals() != 0,
     filter->GetSplitting() ? filter->GetFeatureAngle() : smoothEverywhere, parallel);

@@ -77,7 +77,9 @@ void InputSettings::followReplacement(vtkAlgorithm* filter, const std::function<
   change();
   const std::vector<Source> after = sourcesOf(filter);
   const std::vector<int> numbers = match(before, after, -1);
-  if (std::any_of(numbers.begin(), numbers.end(), [](int number) { return number >= 0; }))
+  const bool isItsFirst = !numbers.empty() && numbers.front() == 0; // as when set up anew
+  if (!isItsFirst &&
+    std::any_of(numbers.begin(), numbers.end(), [](int number) { return number >= 0; }))
   {
     this->move(numbers, static_cast<int>(before.size()) - static_cast<int>(after.size()));
   }

@@ -38,7 +38,8 @@ public:
   /// Run `change`, which changes the connections of port 0, and follow them. `removed` is
   /// the connection that it removes, if that is known.
   void follow(vtkAlgorithm* filter, const std::function<void()>& change, int removed = -1);
-  /// The same, unless no connection stays: settings then stay with their numbers.
+  /// The same, unless no connection, or just the first, stays: settings then stay with their
+  /// numbers.
   void followReplacement(vtkAlgorithm* filter, const std::function<void()>& change);
 
 private:

@@ -49,7 +49,7 @@ void SurfaceFromVTK::computeNormals(double featureAngle, const lambent::Parallel
 {
   const FacesFromVTK mesh(this->Input, lambent::Share(parallel, 0.0, 0.2));
   this->Normals =
-    lambent::computeCornerNormals(mesh.faces(), featureAngle, lambent::Share(parallel, 0.2, 1.0));
+    lambent::computeCornerNormals(mesh.faces(), featureAngle, lambent::Share(parallel, 0.2, 0.95));
   this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
   if (!this->Normals.numbers)
   {
@@ -59,8 +59,8 @@ void SurfaceFromVTK::computeNormals(double featureAngle, const lambent::Parallel
   this->Result.normalNumbers = { this->Normals.numbers.get(), false, corners.size };
   if (!this->Triangles.corners.empty())
   {
-    this->NormalNumbers =
-      lambent::numbersOfTriangles(mesh.faces().cells, this->Normals, corners, parallel);
+    this->NormalNumbers = lambent::numbersOfTriangles(
+      mesh.faces().cells, this->Normals, corners, lambent::Share(parallel, 0.95, 1.0));
     this->Result.normalNumbers.data = this->NormalNumbers.data();
   }
 }

@@ -61,6 +61,7 @@ public:
     this->Result = &this->Results[range.index];
     this->Creased.clear();
     this->Found.clear();
+    this->FacesWithArea.clear();
   }
 
   int passCount() const { return PassCount; }
@@ -116,7 +117,7 @@ private:
     Keep,    ///< what the points have now
     PassCount
   };
-  static constexpr std::size_t pointsPerStep = 1024;
+  static constexpr std::size_t pointsPerStep = 256;
 
   /// A corner at the creased point of that number.
   struct FoundCorner
@@ -224,30 +225,44 @@ private:
 
   void collectFrom(std::size_t face)
   {
+    const std::int64_t begin = this->AllCells.offsets[face];
     const std::int64_t end = this->AllCells.offsets[face + 1];
     bool isUsed = false;
-    for (std::int64_t place = this->AllCells.offsets[face]; place < end; ++place)
+    for (std::int64_t place = begin; place < end; ++place)
     {
       const auto point = this->AllCells.corners[place];
       if (!this->mark(point))
       {
         continue;
       }
-      if (!isUsed && !this->hasArea(face))
+      if (!isUsed && !this->takeFace(face))
       {
         return;
       }
       isUsed = true;
-      this->Found.push_back(
-        { this->NumberOf[this->Range.place(point)], { static_cast<std::int64_t>(face), place } });
+      this->Found.push_back({ this->NumberOf[this->Range.place(point)],
+        { place, static_cast<std::int64_t>(this->FacesWithArea.size()) - 1 } });
     }
   }
 
-  bool hasArea(std::size_t face) const
+  /// False if the face has no area.
+  bool takeFace(std::size_t face)
   {
-    const Vec3 area =
-      areaVector(this->AllPoints, this->AllCells.cell(face), this->AllCells.cellSize(face));
-    return !this->AllFaces.isSkipped(face) && isUsableSquare(dot(area, area));
+    constexpr std::size_t manyCorners = 16;
+    const auto* const ids = this->AllCells.cell(face);
+    const std::size_t size = this->AllCells.cellSize(face);
+    const Vec3 area = areaVector(this->AllPoints, ids, size);
+    if (this->AllFaces.isSkipped(face) || !isUsableSquare(dot(area, area)))
+    {
+      return false;
+    }
+    std::size_t changes = 0;
+    for (std::size_t k = 0; size > manyCorners && k < size; ++k)
+    {
+      changes += ids[k] != ids[k + 1 == size ? 0 : k + 1];
+    }
+    this->FacesWithArea.push_back({ static_cast<std::int64_t>(face), area, changes > 3 });
+    return true;
   }
 
   /// By counting, so that the corners of a point keep their order.
@@ -283,12 +298,13 @@ private:
       const int count = static_cast<int>(this->First[k + 1] - this->First[k]);
       const std::int64_t point = this->Creased[k];
       const PointSum& sum = this->Sums.data()[this->Sums.place(point)];
-      if (this->Solver.solve(point, { sum.x, sum.y, sum.z }, corners, count))
+      if (this->Solver.solve(
+            point, { sum.x, sum.y, sum.z }, this->FacesWithArea.data(), corners, count))
       {
         this->store(point, corners, count);
       }
     }
-    return 8 * (end - begin);
+    return 4 * (this->First[end] - this->First[begin]); // each takes as long as some faces
   }
 
   /// The first normal becomes that of the point.
@@ -333,6 +349,7 @@ private:
   std::vector<std::int64_t> Creased;
   std::vector<std::int32_t> NumberOf; ///< of the range's points that are creased
   std::vector<FoundCorner> Found;
+  std::vector<FaceWithArea> FacesWithArea;
   std::vector<std::size_t> First; ///< corner of each creased point
   std::vector<Corner> Corners;
   CreasedPoint<Points, Cells> Solver;

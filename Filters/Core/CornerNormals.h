@@ -16,13 +16,14 @@
  *    two faces of which one runs from P to Q and the other from Q to P, unless
  *    - the angle between their normals is larger than the feature angle (180 degrees: never),
  *    - they are opposite faces: the same points, the other way round,
- *    - or more than 64 faces have that edge.
+ *    - or that edge is more than 64 sides of faces.
  * 3. The normal of a corner is the sum of what the faces of its group add at P (angle-weighted,
  *    binary64, in ascending order of the faces), at unit length, rounded to float.
  * 4. A sum is no direction if it is shorter than 2^-20 of the sum of its terms' lengths: the
  *    terms cancel. Then each of the faces has its own normal there.
  *
- * Faces of no area belong to no group and add nothing. A sum of n terms is wrong by at most
+ * Faces of no area belong to no group and add nothing; their corners have the normal of the
+ * group with the smallest face. A sum of n terms is wrong by at most
  * (16 + n) 2^-53 times the lengths' sum, so a direction that counts is good to
  * (16 + n) 2^-33 radians. By step 1 and the bound of squaredCosine() the same holds there.
  *

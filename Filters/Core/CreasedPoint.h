@@ -24,11 +24,19 @@
 
 namespace lambent
 {
+/// A face that has an area.
+struct FaceWithArea
+{
+  std::int64_t face;
+  Vec3 area;    ///< areaVector()
+  bool isLarge; ///< it has many corners, more than 3 but for points named several times in a row
+};
+
 /// Where a face names a point.
 struct Corner
 {
-  std::int64_t face;
   std::int64_t place; ///< in the connectivity
+  std::int64_t face;  ///< its number among the faces with an area
 };
 
 template <typename Points, typename Cells>
@@ -48,8 +56,10 @@ public:
    * what these faces add. False if that sum makes the normal of all corners.
    */
   template <typename Id>
-  bool solve(Id point, const Vec3& allSum, const Corner* corners, int count)
+  bool solve(
+    Id point, const Vec3& allSum, const FaceWithArea* faces, const Corner* corners, int count)
   {
+    this->Faces = faces;
     this->Corners = corners;
     this->findFaceNormals(count);
     this->Groups.reset(count);
@@ -79,7 +89,7 @@ public:
   }
 
 private:
-  static constexpr std::ptrdiff_t mostFacesAtEdge = 64;
+  static constexpr std::ptrdiff_t mostSidesAtEdge = 64;
 
   /// An edge from the point to another one, as a side of a face that runs from the point to
   /// the other one or comes from there.
@@ -109,14 +119,15 @@ private:
     this->FirstOfFace.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
     {
-      const std::int64_t face = this->Corners[i].face;
-      const bool isSameFace = i > 0 && this->Corners[i - 1].face == face;
-      this->FaceNormals[i] = isSameFace
-        ? this->FaceNormals[i - 1]
-        : faceNormal(this->AllPoints, this->AllCells.cell(face), this->AllCells.cellSize(face));
+      const bool isSameFace = i > 0 && this->Corners[i - 1].face == this->Corners[i].face;
+      const Vec3& area = this->Faces[this->Corners[i].face].area;
+      this->FaceNormals[i] =
+        isSameFace ? this->FaceNormals[i - 1] : area * (1.0 / std::sqrt(dot(area, area)));
       this->FirstOfFace[i] = isSameFace ? this->FirstOfFace[i - 1] : i;
     }
   }
+
+  std::int64_t face(int corner) const { return this->Faces[this->Corners[corner].face].face; }
 
   template <typename Id>
   void listSides(Id point, int count)
@@ -128,8 +139,8 @@ private:
       {
         this->Groups.join(i, i - 1); // a face that comes by twice is one face
       }
-      const auto begin = this->AllCells.offsets[this->Corners[i].face];
-      const auto end = this->AllCells.offsets[this->Corners[i].face + 1];
+      const auto begin = this->AllCells.offsets[this->face(i)];
+      const auto end = this->AllCells.offsets[this->face(i) + 1];
       const auto place = this->Corners[i].place;
       const auto next = this->AllCells.corners[place + 1 < end ? place + 1 : begin];
       const auto previous = this->AllCells.corners[place > begin ? place - 1 : end - 1];
@@ -151,7 +162,7 @@ private:
     {
       const auto end = std::find_if(
         side, this->Sides.end(), [&](const Side& other) { return other.other != side->other; });
-      for (auto a = side; end - side <= mostFacesAtEdge && a != end; ++a)
+      for (auto a = side; end - side <= mostSidesAtEdge && a != end; ++a)
       {
         for (auto b = a + 1; b != end; ++b)
         {
@@ -169,7 +180,7 @@ private:
   {
     const bool isSmooth =
       this->AnyAngleIsSmooth || dot(this->FaceNormals[a], this->FaceNormals[b]) >= this->Cosine;
-    return isSmooth && !this->areOpposite(this->Corners[a].face, this->Corners[b].face);
+    return isSmooth && !this->areOpposite(this->face(a), this->face(b));
   }
 
   bool areOpposite(std::int64_t faceA, std::int64_t faceB) const
@@ -204,19 +215,70 @@ private:
     return isUsableSquare(square) && square >= least * least;
   }
 
-  template <typename Add>
-  void contribute(std::int64_t face, Add&& add)
+  /// Calls add(term) for what a face adds at the point, whose first corner in it that is.
+  template <typename Id, typename Add>
+  void contribute(Id point, int corner, int count, Add&& add)
   {
+    const std::int64_t face = this->face(corner);
     const auto* const ids = this->AllCells.cell(face);
     const std::size_t size = this->AllCells.cellSize(face);
+    const auto addHere = [&](auto id, const Vec3& term)
+    {
+      if (id == point)
+      {
+        add(term);
+      }
+    };
     if (size == 3)
     {
       contributeTriangle<Weighting::Angle>(this->AllPoints[ids[0]], this->AllPoints[ids[1]],
-        this->AllPoints[ids[2]], [&](int i, const Vec3& term) { add(ids[i], term); });
+        this->AllPoints[ids[2]], [&](int i, const Vec3& term) { addHere(ids[i], term); });
+    }
+    else if (!this->Faces[this->Corners[corner].face].isLarge)
+    {
+      contributePolygon<Weighting::Angle>(this->AllPoints, ids, size, this->Scratch, addHere);
     }
     else
     {
-      contributePolygon<Weighting::Angle>(this->AllPoints, ids, size, this->Scratch, add);
+      this->contributeLargePolygon(point, corner, count, add);
+    }
+  }
+
+  /// contributePolygon() at one point: a polygon of n corners is creased at up to n points, and
+  /// must not be gone through for each of them.
+  template <typename Id, typename Add>
+  void contributeLargePolygon(Id point, int corner, int count, Add&& add)
+  {
+    const std::int64_t face = this->face(corner);
+    const auto* const ids = this->AllCells.cell(face);
+    const auto size = static_cast<std::int64_t>(this->AllCells.cellSize(face));
+    const Vec3 p = this->AllPoints[point];
+    for (int i = corner; i < count && this->FirstOfFace[i] == corner; ++i)
+    {
+      const std::int64_t place = this->Corners[i].place - this->AllCells.offsets[face];
+      if (place > 0 && ids[place - 1] == point)
+      {
+        continue; // a point that is named several times in a row counts once
+      }
+      std::int64_t next = place, previous = place;
+      while (next < size && ids[next] == point)
+      {
+        ++next;
+      }
+      if (next == size)
+      {
+        if (ids[0] == point)
+        {
+          continue; // it goes on at the start, and counts there
+        }
+        next = 0;
+      }
+      do
+      {
+        previous = previous == 0 ? size - 1 : previous - 1;
+      } while (ids[previous] == point);
+      add(cornerContribution<Weighting::Angle>(this->Faces[this->Corners[i].face].area,
+        this->AllPoints[ids[next]] - p, this->AllPoints[ids[previous]] - p));
     }
   }
 
@@ -232,14 +294,11 @@ private:
       }
       Sum& sum = this->Sums[this->Groups.set(i)];
       sum.firstCorner = sum.firstCorner < 0 ? i : sum.firstCorner;
-      this->contribute(this->Corners[i].face,
-        [&](auto corner, const Vec3& term)
+      this->contribute(point, i, count,
+        [&](const Vec3& term)
         {
-          if (corner == point)
-          {
-            sum.vector = sum.vector + term;
-            sum.length += length(term);
-          }
+          sum.vector = sum.vector + term;
+          sum.length += length(term);
         });
     }
     for (Sum& sum : this->Sums)
@@ -254,6 +313,7 @@ private:
   const Cells& AllCells;
   const double Cosine;
   const bool AnyAngleIsSmooth;
+  const FaceWithArea* Faces = nullptr;
   const Corner* Corners = nullptr;
   std::vector<Vec3> FaceNormals; ///< of each corner's face
   std::vector<int> FirstOfFace;  ///< the first corner of each corner's face

@@ -87,6 +87,32 @@ TEST(CornerNormals, EqualDefinitionOnDoubledAndMirroredMeshes)
   }
 }
 
+// Polygons of many corners, some of which are named several times in a row, across the start too.
+TEST(CornerNormals, EqualDefinitionOnLargePolygons)
+{
+  PolygonMesh prism;
+  constexpr std::int64_t sides = 40;
+  for (std::int64_t side = 0; side < sides; ++side)
+  {
+    const double turn = 6.283185307179586 * side / sides, radius = side % 5 == 0 ? 0.6 : 1.0;
+    prism.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0.1 * (side % 3));
+    prism.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 2.0);
+  }
+  std::vector<std::int64_t> top{ 1 }, bottom, three;
+  for (std::int64_t side = 0; side < sides; ++side)
+  {
+    const std::int64_t p = 2 * side, q = 2 * ((side + 1) % sides);
+    prism.faces.push_back({ p, q, q + 1, p + 1 });
+    top.insert(top.end(), side % 7 == 0 ? 3 : 1, p + 1);
+    bottom.insert(bottom.begin(), side % 4 == 0 ? 2 : 1, p);
+    three.push_back(side < 10 ? 0 : side < 25 ? 3 : 8);
+  }
+  top.push_back(1);
+  top.insert(top.begin() + 30, 1); // the point once more, from elsewhere
+  prism.faces.insert(prism.faces.end(), { top, bottom, three });
+  expectDefinition(prism, { 5.0, 30.0, 80.0, 95.0, 180.0 });
+}
+
 // Pages that share their spine, an edge of as many faces.
 TEST(CornerNormals, EqualDefinitionOnEdgesOfManyFaces)
 {

@@ -96,6 +96,14 @@ TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsGo)
   EXPECT_EQ(other.found(), "0123--");
 }
 
+TEST(InputSettings, StayWhenTheSameConnectionsAreMadeAnew)
+{
+  Four four;
+  four.tracer->SetInputConnection(four.sources[0]->GetOutputPort());
+  four.tracer->AddInputConnection(four.sources[1]->GetOutputPort());
+  EXPECT_EQ(four.found(), "0123--");
+}
+
 TEST(InputSettings, FollowOrStayWhenAnotherConnectionReplacesAll)
 {
   Four four;
