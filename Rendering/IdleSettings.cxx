@@ -84,7 +84,8 @@ void addLights(Messages& messages, vtkLambentRayTracer* filter)
     if (light->GetSwitch() && isWithoutDirection(light))
     {
       messages.push_back("Light " + std::to_string(index) +
-        " has no effect: it stands at its own focal point, so that it shines in no direction. Call "
+        " gives no diffuse light: it stands at its own focal point, so that it shines in no "
+        "direction. Call "
         "vtkLight::SetPosition() or SetFocalPoint().");
     }
     ++index;

@@ -94,14 +94,14 @@ const std::vector<Experiment>& Experiments()
     { [](Options&, LightValue& light) { light.intensity = 1e6; },
       "the light in it is too weak to show; try a larger intensity in --light" },
     { [](Options&, LightValue& light) { light.kind = LightValue::Kind::Headlight; },
-      "the lights shine on the faces from behind; try --headlight or --ambient 0.2" },
+      "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2" },
     { [](Options&, LightValue& light) {
        light.color = { 1, 1, 1 };
      },
       "the light in it has none of the colours that the faces reflect; try another --color, or "
       "another color in --light" },
     { [](Options& options, LightValue&) { options.shading = Shading::Flat; },
-      "the normals of the mesh point away from the light; try --shading flat" },
+      "the normals of the mesh point away from the light, or are none; try --shading flat" },
   };
   return experiments;
 }

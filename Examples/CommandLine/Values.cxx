@@ -189,6 +189,10 @@ void SetLightItem(LightValue& light, const std::string& key, const std::string& 
   else if (key == "attenuation")
   {
     light.attenuation = ParseTriple(value);
+    if (*std::max_element(light.attenuation.begin(), light.attenuation.end()) <= 0)
+    {
+      throw BadValue("attenuation " + value + " has no positive value; 1,0,0 does not fade");
+    }
   }
   else if (key == "focal")
   {

@@ -19,7 +19,7 @@ OUTSIDE = "no face lies in the view of the camera; try without "
 COLOURS = ("the light in it has none of the colours that the faces reflect; try another --color, or "
            "another color in --light")
 NO_COLOUR = "all faces in it are black; try another --color, --diffuse or --ambient"
-BEHIND = "the lights shine on the faces from behind; try --headlight or --ambient 0.2"
+BEHIND = "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2"
 
 # What is drawn, with which options, and the line that is said after "the picture shows nothing: ".
 CASES = (
@@ -100,7 +100,7 @@ class TestNothingSeen(CommandTest):
         self.write("mesh.obj", points + normals + faces)
         done = self.run_command("mesh.obj", "-o", "picture.png", "--size", "40x30", *AT_Z)
         self.assertEqual(done.stderr.decode(), "lambent: warning: the picture shows nothing: the "
-                         "normals of the mesh point away from the light; try --shading flat\n")
+                         "normals of the mesh point away from the light, or are none; try --shading flat\n")
 
     def test_a_strip_is_triangles(self):
         self.write("strip.vtk", "# vtk DataFile Version 3.0\nstrip\nASCII\nDATASET POLYDATA\n"

@@ -80,6 +80,15 @@ TEST(Values, PositionalLight)
 }
 
 // Colons survive the lists of CMake and need no quotes in a shell.
+TEST(Values, AttenuationHasToLeaveSomething)
+{
+  for (const char* text : { "0,0,0", "0,-1,0", "-1,0,0" })
+  {
+    EXPECT_THROW(ParseLight(std::string("position=1,2,3:attenuation=") + text), BadValue) << text;
+  }
+  EXPECT_EQ(ParseLight("position=1,2,3:attenuation=0,0,2").attenuation, (Triple{ 0, 0, 2 }));
+}
+
 TEST(Values, LightsAreJoinedByColonsOrSemicolons)
 {
   for (const char* text : { "position=1,2,3:color=#0000ff:cone=20:focal=4,5,6",
