@@ -265,14 +265,7 @@ private:
       {
         ++next;
       }
-      if (next == size)
-      {
-        if (ids[0] == point)
-        {
-          continue; // it goes on at the start, and counts there
-        }
-        next = 0;
-      }
+      next = next == size ? 0 : next; // the point itself, if it counts there: no length, no term
       do
       {
         previous = previous == 0 ? size - 1 : previous - 1;

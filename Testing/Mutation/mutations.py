@@ -240,8 +240,6 @@ MUTATIONS = [
      "all faces lie within half the feature angle"),
     (CREASED, "if (place > 0 && ids[place - 1] == point)", "if (false)",
      "in large polygons repeated points count once"),
-    (CREASED, "if (ids[0] == point)\n        {\n          continue;", "if (false)\n        {\n          continue;",
-     "in large polygons repeated points count once, also across the start"),
     (CORNERS, "featureAngle + featureAngleMargin", "featureAngle",
      "rounding does not make edges sharp"),
     (CORNERS, "static_cast<std::int32_t>(first[i]) + use.number", "use.number",
