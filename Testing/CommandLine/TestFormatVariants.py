@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""GIFTI files in each way to write them: the picture of the same shape, or one true line.
+"""GIFTI and Gmsh files in each way to write them: the picture of the same shape, or one true line.
 
 TestFormats.py reads one whole file of each kind, TestBrokenFormats.cxx breaks it.
 """
@@ -153,6 +153,148 @@ class TestGifti(VariantsTest):
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(1 << 24))).decode(), "more")):
             triangles = array("TRIANGLE", TETRAHEDRON[1], "INT32", encoding, data=data)
             self.assertIn(word, self.failure("a.gii", gifti(POINTS, triangles)), (encoding, data[:20]))
+
+
+CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+CUBE_FACES = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
+HEXAHEDRON = (0, 1, 3, 2, 4, 5, 7, 6)
+TRIANGLE, QUAD, TETRAHEDRAL, HEXAHEDRAL = 2, 3, 4, 5
+NODES = {15: 1, 1: 2, 2: 3, 3: 4, 4: 4, 5: 8, 9: 6, 10: 9, 16: 8, 11: 10, 17: 20}
+ORDERS = {"text": None, "little": "<", "big": ">"}
+
+
+class Gmsh:
+    """Writes a file: the way is text, or the byte order of a binary one. Nodes have the numbers 7,
+    10, 13, ... and the elements are (type, corners)."""
+
+    def __init__(self, way, version):
+        self.order = ORDERS[way]
+        self.content = b"$MeshFormat\n%s %d 8\n" % (version.encode(), way != "text")
+        if way != "text":
+            self.put("i", 1)
+            self.content += b"\n"
+        self.content += b"$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"shell\"\n$EndPhysicalNames\n"
+
+    def put(self, codes, *values):
+        if self.order:
+            self.content += struct.pack(self.order + codes, *values)
+        else:
+            self.content += " ".join(map(repr, values)).encode() + b"\n"
+
+    def section(self, name, write, *arguments):
+        self.content += b"$%s\n" % name
+        write(*arguments)
+        self.content += b"%s$End%s\n" % (b"\n" if self.order else b"", name)
+
+
+def gmsh2(points, elements, way="text"):
+    file = Gmsh(way, "2.2")
+
+    def nodes():
+        file.content += b"%d\n" % len(points)
+        for k, point in enumerate(points):
+            file.put("iddd", 7 + 3 * k, *point)
+
+    def cells():
+        file.content += b"%d\n" % len(elements)
+        for k, (kind, corners) in enumerate(elements):
+            ids = [7 + 3 * corner for corner in corners]
+            if file.order:
+                file.put("iii", kind, 1, 2)
+                file.put("iii%di" % len(ids), k + 1, 0, 1, *ids)
+            else:
+                file.put("", k + 1, kind, 2, 0, 1, *ids)
+
+    file.section(b"Nodes", nodes)
+    file.section(b"Elements", cells)
+    return file.content
+
+
+def gmsh4(points, elements, way="text"):
+    file = Gmsh(way, "4.1")
+    last = 7 + 3 * (len(points) - 1)
+
+    def nodes():
+        file.put("qqqq", 2, len(points), 7, last)
+        for part, parameters in ((range(1), 0), (range(1, len(points)), 1)):
+            file.put("iiiq", 2, 1, parameters, len(part))
+            for k in part:
+                file.put("q", 7 + 3 * k)
+            for k in part:
+                file.put("ddd" + "dd" * parameters, *map(float, points[k]), *[0.5, 0.25] * parameters)
+
+    def cells():
+        file.put("qqqq", len(elements), len(elements), 1, len(elements))
+        for k, (kind, corners) in enumerate(elements):
+            file.put("iiiq", 2, 1, kind, 1)
+            file.put("q%dq" % len(corners), k + 1, *[7 + 3 * corner for corner in corners])
+
+    file.section(b"Nodes", nodes)
+    file.section(b"Elements", cells)
+    return file.content
+
+
+class TestGmsh(VariantsTest):
+
+    def ways(self, points, elements):
+        for write, way in itertools.product((gmsh2, gmsh4), ORDERS):
+            yield (write.__name__, way), write(points, elements, way)
+
+    def test_surfaces(self):
+        expected = self.reference((CUBE, CUBE_FACES[1:] + [(0, 4, 6), (0, 6, 2)]))
+        elements = [(QUAD, face) for face in CUBE_FACES[1:]] + [
+            (15, (0,)), (1, (0, 1)), (TRIANGLE, (0, 4, 6)), (TRIANGLE, (0, 6, 2))]
+        for way, content in self.ways(CUBE, elements):
+            self.assertEqual(self.picture("a.msh", content), expected, way)
+
+    def test_volumes(self):
+        expected = self.reference((CUBE, CUBE_FACES))
+        for way, content in self.ways(CUBE, [(HEXAHEDRAL, HEXAHEDRON)]):
+            self.assertEqual(self.picture("a.msh", content), expected, way)
+        expected = self.reference()
+        for way, content in self.ways(TETRAHEDRON[0], [(TETRAHEDRAL, (0, 1, 2, 3))]):
+            self.assertEqual(self.picture("a.msh", content), expected, way)
+
+    def test_second_order(self):
+        for kind, corners in ((9, (0, 1, 3)), (10, (0, 1, 3, 2)), (16, (0, 1, 3, 2)),
+                              (11, (0, 1, 2, 4)), (17, HEXAHEDRON)):
+            first = {9: TRIANGLE, 10: QUAD, 16: QUAD, 11: TETRAHEDRAL, 17: HEXAHEDRAL}[kind]
+            expected = self.picture("a.msh", gmsh2(CUBE, [(first, corners)]))
+            nodes = corners + (5,) * (NODES[kind] - len(corners))
+            for way, content in self.ways(CUBE, [(kind, nodes)]):
+                self.assertEqual(self.picture("a.msh", content), expected, (kind, way))
+
+    def test_lines_only(self):
+        for way, content in self.ways(CUBE, [(1, (0, 1))]):
+            self.warning("a.msh", content)
+
+    def test_wrong_numbers(self):
+        text = gmsh2(*TETRAHEDRON[:1], [(TRIANGLE, face) for face in TETRAHEDRON[1]]).decode()
+        for old, new, word in (
+                ("4 2 2 0 1 13 7 16", "4 2 2 0 1 13 8 16", "element 4 names node 8, which does not exist"),
+                ("\n10 2", "\n7 2", "two nodes with the number 7"),
+                ("\n10 2", "\n10 nan", "node 10 has a coordinate that is not a finite number"),
+                ("\n10 2", "\n10 x", "line 11: there is no number where a coordinate"),
+                ("$Nodes\n4", "$Nodes\n3", "line 13: the section $Nodes does not end"),
+                ("$Nodes\n4", "$Nodes\n9000000000000000000", "line 14: there is no number"),
+                ("$Nodes\n4", "$Nodes\n-4", "is negative"),
+                ("$Elements\n4", "$Elements\n5", "there is no number"),
+                ("4 2 2 0 1", "4 2 -2 0 1", "is negative"),
+                ("4 2 2 0 1", "4 34 2 0 1", "element 4 is of the type 34, which is not read"),
+                ("2.2", "4.0", "msh41"), ("2.2", "1", "msh41"), ("2.2 0 8", "2.2 0 4", "8 bytes"),
+                ("$MeshFormat", "$NOD", "meshio"), ("$MeshFormat", "(0 \"grid\")", "ANSYS Fluent")):
+            self.assertIn(old, text)
+            self.assertIn(word, self.failure("a.msh", text.replace(old, new, 1)), (old, new))
+
+    def test_counts_beyond_the_file(self):
+        # The number of corners is no count in the file.
+        content = gmsh4(TETRAHEDRON[0] + [(0, 0, 0)], [(TRIANGLE, (0, 1, 2))] * 4, "little")
+        for count in (4, 5):
+            for wrong in (1 << 62, (1 << 63) - 1, -1):
+                old, new = struct.pack("<q", count), struct.pack("<q", wrong)
+                self.assertIn(old, content)
+                self.assertIn("byte ", self.failure("a.msh", content.replace(old, new)))
+
 
 
 if __name__ == "__main__":
