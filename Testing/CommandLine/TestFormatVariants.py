@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""GIFTI and Gmsh files in each way to write them: the picture of the same shape, or one true line.
+"""GIFTI, Gmsh and Abaqus files in each way to write them: the picture of the same shape, or one true line.
 
 TestFormats.py reads one whole file of each kind, TestBrokenFormats.cxx breaks it.
 """
@@ -295,6 +295,90 @@ class TestGmsh(VariantsTest):
                 self.assertIn(old, content)
                 self.assertIn("byte ", self.failure("a.msh", content.replace(old, new)))
 
+
+
+def abaqus(points, *blocks):
+    """The nodes have the numbers 10, 20, 30, ...; the blocks are (type, elements)."""
+    text = "*Heading\n1, 2, 3\n*Node\n"
+    text += "".join("%d, %r, %r, %r\n" % (10 * k + 10, *point) for k, point in enumerate(points))
+    for kind, elements in blocks:
+        text += "*Element, type=%s\n" % kind
+        for k, corners in enumerate(elements):
+            text += ", ".join(map(str, (k + 1, *[10 * corner + 10 for corner in corners]))) + "\n"
+    return text
+
+
+class TestAbaqus(VariantsTest):
+
+    def test_surfaces(self):
+        expected = self.reference((CUBE, CUBE_FACES[1:] + [(0, 4, 6), (0, 6, 2)]))
+        triangles = [(0, 4, 6), (0, 6, 2)]
+        for quad in ("S4", "S4R", "s4r5", "CPS4", "CPE4R", "M3D4", "R3D4", "CAX4"):
+            for triangle in ("S3", "S3R", "STRI3", "CPS3", "CPE3", "M3D3", "R3D3"):
+                text = abaqus(CUBE, (quad, CUBE_FACES[1:]), (triangle, triangles))
+                self.assertEqual(self.picture("a.inp", text), expected, (quad, triangle))
+        for lines in (text.replace("\n", "\r\n"), text.replace("\n", "\r"), text.lower(), text.upper(),
+                      "\ufeff" + text, text.replace("\n", "\n** comment,\n"), text.rstrip()):
+            self.assertEqual(self.picture("a.inp", lines.encode()), expected)
+
+    def test_volumes(self):
+        for kind, more, corners, faces in (
+                ("C3D8", 0, HEXAHEDRON, CUBE_FACES), ("C3D8R", 0, HEXAHEDRON, CUBE_FACES),
+                ("C3D20", 12, HEXAHEDRON, CUBE_FACES), ("SC8R", 0, HEXAHEDRON, CUBE_FACES),
+                ("C3D4", 0, (0, 1, 2, 4), [(0, 2, 1), (0, 1, 4), (1, 2, 4), (2, 0, 4)]),
+                ("C3D10M", 6, (0, 1, 2, 4), [(0, 2, 1), (0, 1, 4), (1, 2, 4), (2, 0, 4)]),
+                ("C3D6", 0, (0, 1, 2, 4, 5, 6), [(0, 2, 1), (4, 5, 6), (0, 1, 5, 4), (1, 2, 6, 5), (2, 0, 4, 6)])):
+            text = abaqus(CUBE, (kind, [corners + (5,) * more]))
+            expected = self.reference((CUBE, faces))
+            self.assertEqual(self.picture("a.inp", text), expected, kind)
+            lines = text.rsplit(",", 2)
+            self.assertEqual(self.picture("a.inp", lines[0] + ",\n" + lines[1] + "," + lines[2]), expected)
+
+    def test_second_order_surfaces(self):
+        for kind, first in (("STRI65", "S3"), ("CPS6", "S3"), ("M3D6", "S3"), ("S8R", "S4"), ("CPE8", "S4"),
+                            ("S9R5", "S4")):
+            corners = (0, 4, 6) if first == "S3" else (0, 4, 6, 2)
+            nodes = corners + (5,) * {"STRI65": 3, "S9R5": 5}.get(kind, len(corners))
+            self.assertEqual(self.picture("a.inp", abaqus(CUBE, (kind, [nodes]))),
+                             self.picture("a.inp", abaqus(CUBE, (first, [corners]))), kind)
+
+    def test_elements_that_are_not_drawn(self):
+        text = abaqus(CUBE, ("B31", [(0, 1), (1, 2)]), ("S4", CUBE_FACES), ("T3D2", [(0, 3)]))
+        line = self.warning("a.inp", text)
+        self.assertIn("elements of types that are not drawn, such as 'B31', are left out; they take 3 lines", line)
+        self.assertEqual(self.read("picture.pnm"), self.reference((CUBE, CUBE_FACES)))
+
+    def test_parts(self):
+        moved = [(x - 3, y, z) for x, y, z in TETRAHEDRON[0]]
+        parts = "".join("*Part, name=P%d\n%s*End Part\n" % (k, abaqus(points, ("S3", TETRAHEDRON[1])))
+                        for k, points in enumerate((TETRAHEDRON[0], moved)))
+        expected = self.reference((TETRAHEDRON[0] + moved, TETRAHEDRON[1] + [
+            tuple(4 + k for k in face) for face in TETRAHEDRON[1]]))
+        instance = "*Assembly\n*Instance, name=A, part=P0\n%s*End Instance\n*Node\n10, 9, 9, 9\n*End Assembly\n"
+        self.assertEqual(self.picture("a.inp", parts + instance % ""), expected)
+        self.assertIn("not moved", self.warning("a.inp", parts + instance % "1, 0, 0\n"))
+        self.assertEqual(self.read("picture.pnm"), expected)
+
+    def test_what_is_refused(self):
+        whole = abaqus(*TETRAHEDRON[:1], ("S3", TETRAHEDRON[1]))
+        for old, new, word in (
+                ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE names another file"),
+                ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE names another file"),
+                ("*Node\n", "*Node, system=C\n", "rectangular coordinates"),
+                ("*Element", "*Ngen\n1, 5, 1\n*Element", "line 8: *NGEN makes or moves"),
+                ("*Heading", "8 12 0 0 0", "AVS"), ("*Heading", "# made by AVS\n8 12 0 0 0", "AVS"),
+                ("*Heading", "[TITLE]", "does not begin with a keyword"),
+                ("*Element", "*Elset", "there are no elements"),
+                (", type=S3", "", "line 8: *ELEMENT has no TYPE"),
+                ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 names node 11, which does not exist"),
+                ("4, 30, 10, 40", "4, 30, 10, 40, 20", "line 12: element 4 has more than the 3 nodes"),
+                ("4, 30, 10, 40", "4, 30, 10", "line 12: element 4 has only 2 of the 3 nodes of its type 'S3'"),
+                ("4, 30, 10, 40", "4, 30, x, 40", "line 12: 'X' where the number of an element or node"),
+                ("20, 2", "20, two", "line 5: 'TWO' where a coordinate of node 20"),
+                ("20, 2", "20, inf", "node 20 has a coordinate that is not a finite number"),
+                ("20, 2", "x, 2", "line 5: 'X' where the number of a node")):
+            self.assertIn(old, whole)
+            self.assertIn(word, self.failure("a.inp", whole.replace(old, new, 1)), (old, new))
 
 
 if __name__ == "__main__":

@@ -137,7 +137,7 @@ class TestFormatsList(FormatsTest):
     def test_list(self):
         text = self.succeed("--formats").decode()
         for extension in (".vtp .vtk .vtu .ply .stl .obj .off .vti .vtr .vts .pvtp .pvtu .vtm .pvd "
-                          ".gii .msh .gltf .glb .dae .3ds .fbx .3mf .amf .e .case .foam .gz .png").split():
+                          ".gii .msh .inp .gltf .glb .dae .3ds .fbx .3mf .amf .e .case .foam .gz .png").split():
             self.assertRegex(text, r"(?m)\%s\b" % extension)
 
     def test_unknown_kinds(self):
@@ -148,7 +148,7 @@ class TestFormatsList(FormatsTest):
             self.assertIn(".vtp .vtk .vtu", line)
 
     def test_kinds_that_are_not_read(self):
-        for name, remedy in (("mesh.INP", "meshio"), ("part.step", "CAD"),
+        for name, remedy in (("mesh.MED", "meshio"), ("part.step", "CAD"),
                              ("mesh.bdf.gz", "meshio")):
             self.write(name, "Dear reader")
             line = self.fail_to_read(name)
