@@ -63,6 +63,9 @@ const Format Table[] = {
   { MeshKind::Stl, ".stl", "stereolithography", Own, ReadStlFile, Checked, false },
   { MeshKind::Obj, ".obj", "Wavefront", Own, ReadObjFile, Checked, false },
   { Other, ".off", "Object File Format", Own, ReadOff, Checked, false },
+  { Other, ".gii", "GIFTI surfaces", Own, ReadGifti, Checked, false },
+  { Other, ".msh", "Gmsh, versions 2 and 4.1", Own, ReadGmsh, Checked, false },
+  { Other, ".inp", "Abaqus", Own, ReadAbaqus, Checked, false },
   { Other, ".vti", "VTK image (with --contour)", Vtk, ReadVti, Isolated, false },
   { Other, ".vtr", "VTK rectilinear grid", Vtk, ReadVtr, Isolated, false },
   { Other, ".vts", "VTK structured grid", Vtk, ReadVts, Isolated, false },
@@ -93,8 +96,7 @@ const struct
   const char* extensions;
   const char* remedy;
 } NotRead[] = {
-  { ".msh .inp .bdf .nas .med .xdmf .xmf", "convert it with meshio" },
-  { ".gii", "convert it with FreeSurfer's mris_convert" },
+  { ".bdf .nas .med .xdmf .xmf", "convert it with meshio" },
   { ".step .stp .iges .igs .brep", "save a mesh of it from a CAD program" },
   { ".blend .max .ma .mb .c4d .skp", "export a mesh from the program that made it" },
   { ".usd .usda .usdc .usdz .abc", "convert it with Blender" },

@@ -44,8 +44,12 @@ vtkSmartPointer<vtkDataObject> ReadPieces(const std::string&, VtkMessages&, Prog
 vtkSmartPointer<vtkDataObject> ReadBlocks(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadPvd(const std::string&, VtkMessages&, Progress&);
 
-// In ReadOff.cxx, ReadGltf.cxx, ReadSimulation.cxx and ReadAssimp.cxx.
+// In ReadOff.cxx, ReadGifti.cxx, ReadGmsh.cxx, ReadAbaqus.cxx, ReadGltf.cxx, ReadSimulation.cxx
+// and ReadAssimp.cxx.
 vtkSmartPointer<vtkDataObject> ReadOff(const std::string&, VtkMessages&, Progress&);
+vtkSmartPointer<vtkDataObject> ReadGifti(const std::string&, VtkMessages&, Progress&);
+vtkSmartPointer<vtkDataObject> ReadGmsh(const std::string&, VtkMessages&, Progress&);
+vtkSmartPointer<vtkDataObject> ReadAbaqus(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadGltf(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadFoam(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadExodus(const std::string&, VtkMessages&, Progress&);
