@@ -236,7 +236,7 @@ MUTATIONS = [
      "terms that cancel give the face's own normal"),
     (CREASED, "if (groups == 1 && this->isLong(allSum, count))", "if (this->isLong(allSum, count))",
      "groups have sums of their own"),
-    (CORNERS, "std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20))", "cosDegrees(angle)",
+    ("Filters/Core/CornerRange.h", "std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20))", "cosDegrees(angle)",
      "all faces lie within half the feature angle"),
     (CREASED, "if (place > 0 && ids[place - 1] == point)", "if (false)",
      "in large polygons repeated points count once"),
