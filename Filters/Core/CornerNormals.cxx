@@ -8,25 +8,26 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace lambent
 {
 namespace
 {
-std::unique_ptr<float[]> append(const float* normals, std::size_t count,
-  const std::vector<FurtherNormals>& further, const std::vector<std::size_t>& first,
-  const Parallel& parallel)
+/// Makes room for all normals, if there is too little.
+void grow(CornerNormals& normals, std::size_t room, std::size_t count, const Parallel& parallel)
 {
-  std::unique_ptr<float[]> all(new float[3 * first.back()]);
-  forEachChunk<4096>(parallel, count,
-    [&](std::size_t begin, std::size_t end)
-    { std::copy(normals + 3 * begin, normals + 3 * end, all.get() + 3 * begin); });
-  for (std::size_t i = 0; i < further.size(); ++i)
+  if (count <= room)
   {
-    std::copy(further[i].normals.begin(), further[i].normals.end(), all.get() + 3 * first[i]);
+    return;
   }
-  return all;
+  std::unique_ptr<float[]> all(new float[3 * count]);
+  const float* const few = normals.normals.get();
+  forEachChunk<4096>(parallel, normals.count,
+    [&](std::size_t begin, std::size_t end)
+    { std::copy(few + 3 * begin, few + 3 * end, all.get() + 3 * begin); });
+  normals.normals = std::move(all);
 }
 
 template <typename Cells>
@@ -57,7 +58,9 @@ CornerNormals computeCornerNormals(
   const double largestAngle = std::min(featureAngle + featureAngleMargin, 180.0);
   CornerNormals result;
   result.count = faces.points.size;
-  result.normals.reset(new float[3 * result.count]);
+  // Most meshes need few further normals. Memory that is not touched costs nothing.
+  const std::size_t room = result.count + result.count / 8;
+  result.normals.reset(new float[3 * room]);
   const PointRanges ranges(faces.blocks, faces.points.size, parallel.workers());
   std::vector<FurtherNormals> further(ranges.count());
   visit(faces.points, faces.cells,
@@ -83,8 +86,12 @@ CornerNormals computeCornerNormals(
         throw std::runtime_error("there would be more than 2147483647 normals. Compute them with "
                                  "vtkLambentNormals, or draw the mesh in parts.");
       }
-      result.normals =
-        append(result.normals.get(), result.count, further, first, Share(parallel, 0.9, 0.93));
+      grow(result, room, first.back(), Share(parallel, 0.9, 0.93));
+      for (std::size_t i = 0; i < further.size(); ++i)
+      {
+        std::copy(further[i].normals.begin(), further[i].normals.end(),
+          result.normals.get() + 3 * first[i]);
+      }
       result.numbers = numberCorners(faces, cells, further, first, Share(parallel, 0.93, 1.0));
       result.count = first.back();
     });
