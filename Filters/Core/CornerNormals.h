@@ -25,7 +25,8 @@
  * Faces of no area belong to no group and add nothing; their corners have the normal of the
  * group with the smallest face. A sum of n terms is wrong by at most
  * (16 + n) 2^-53 times the lengths' sum, so a direction that counts is good to
- * (16 + n) 2^-33 radians. By step 1 and the bound of squaredCosine() the same holds there.
+ * (16 + n) 2^-33 radians. In step 1 the bound of
+ * cosineOfHalf() (CornerRange.h) makes the same hold.
  *
  * So an edge is sharp or not whatever its place in the mesh, sheets whose faces are there
  * twice, once each way round, have normals on both sides, and neighbours that run opposite

@@ -26,7 +26,8 @@
  * Version 2: computed normals leave edges sharp that are sharper than the feature angle, and
  * a triangle's normals say which of its sides is the front (Shader::isReversed()). Before,
  * corners of boxes were shaded like cushions, sheets whose faces are there twice were speckled,
- * since normals cancelled to rounding noise, and mirrored meshes were dark outside.
+ * since normals cancelled to rounding noise, and mirrored meshes were dark outside. Polygons
+ * that touch themselves are filled exactly (TouchingPolygon.h), not across their notches.
  */
 #ifndef lambent_ImageContract_h
 #define lambent_ImageContract_h

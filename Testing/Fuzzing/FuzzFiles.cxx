@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the command reads by itself: PLY, STL and OBJ files. A Failure, or a sound mesh.
 #include "FuzzInput.h"
+#include "NamelessFile.h"
 
 #include "CheckCells.h"
 #include "Messages.h"
@@ -22,23 +23,6 @@ using namespace lambent::command;
 
 namespace
 {
-/// A file without a name that is gone when it is closed.
-class NamelessFile
-{
-public:
-  NamelessFile(const std::uint8_t* data, std::size_t size)
-  {
-    require(this->File && std::fwrite(data, 1, size, this->File.get()) == size &&
-        std::fflush(this->File.get()) == 0,
-      "a temporary file can be written");
-  }
-
-  std::string path() const { return "/dev/fd/" + std::to_string(fileno(this->File.get())); }
-
-private:
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> File{ std::tmpfile(), std::fclose };
-};
-
 void check(vtkCellArray* cells)
 {
   vtkDataArray* offsets = cells->GetOffsetsArray();

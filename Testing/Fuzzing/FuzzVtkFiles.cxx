@@ -4,6 +4,7 @@
 // Failure, or cells that the surface filter can be given.
 #include "../Rendering/Sanitizers.h"
 #include "FuzzInput.h"
+#include "NamelessFile.h"
 
 #include "CheckCells.h"
 #include "CheckedXmlReader.h"
@@ -32,23 +33,6 @@ using namespace lambent::command;
 
 namespace
 {
-/// A file without a name that is gone when it is closed.
-class NamelessFile
-{
-public:
-  NamelessFile(const std::uint8_t* data, std::size_t size)
-  {
-    require(this->File && std::fwrite(data, 1, size, this->File.get()) == size &&
-        std::fflush(this->File.get()) == 0,
-      "a temporary file can be written");
-  }
-
-  std::string path() const { return "/dev/fd/" + std::to_string(fileno(this->File.get())); }
-
-private:
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> File{ std::tmpfile(), std::fclose };
-};
-
 template <typename Reader>
 vtkSmartPointer<vtkDataObject> read(const std::string& path)
 {
