@@ -27,6 +27,6 @@ gcovr --root "$root" --object-directory "$build" --exclude-directories '.*/Compi
   --gcov-ignore-parse-errors \
   --exclude-throw-branches --exclude-unreachable-branches \
   --exclude-branches-by-pattern '\s*vtk\w*(Macro|Body)\b.*' --filter "$root/Rendering/" \
-  --filter "$root/Filters/" --filter "$root/Examples/CommandLine/" \
+  --filter "$root/Filters/" \
   --html-details "$build/report/index.html" --txt "$build/report/lines.txt" --print-summary "$build"
 cat "$build/report/lines.txt"
