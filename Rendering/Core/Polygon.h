@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a polygon in memory of its own, cut into a fan or by its ears
+ * @brief a polygon in memory of its own, its normal, its fan and what of it is turned
  */
 #ifndef lambent_Polygon_h
 #define lambent_Polygon_h
@@ -70,47 +70,6 @@ struct Polygon
       in = out;
     }
     return false;
-  }
-
-  bool isEar(std::size_t k) const
-  {
-    if (!(this->turnAt(k) > 0.0))
-    {
-      return false;
-    }
-    const Vec3& a = this->points[this->previous(k)];
-    const Vec3& b = this->points[k];
-    const Vec3& c = this->points[this->next(k)];
-    for (std::size_t other = this->next(this->next(k)); other != this->previous(k);
-         other = this->next(other))
-    {
-      const Vec3& p = this->points[other];
-      if (p != a && p != b && p != c && turn(a, b, p, this->normal) >= 0.0 &&
-        turn(b, c, p, this->normal) >= 0.0 && turn(c, a, p, this->normal) >= 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Cut off ears until three corners are left, or none of those left is an ear.
-  void cutEars(std::int32_t*& out)
-  {
-    std::size_t k = 0;
-    for (std::size_t tried = 0; this->size() > 3 && tried < this->size(); ++tried)
-    {
-      if (!this->isEar(k))
-      {
-        k = this->next(k);
-        continue;
-      }
-      putTriangle(out, this->ids[this->previous(k)], this->ids[k], this->ids[this->next(k)]);
-      this->ids.erase(this->ids.begin() + static_cast<std::ptrdiff_t>(k));
-      this->points.erase(this->points.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;
-      tried = 0;
-    }
   }
 
   void fan(std::int32_t*& out) const

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulation.h"
 
+#include "Ears.h"
 #include "Polygon.h"
 #include "TouchingPolygon.h"
 
@@ -74,7 +75,7 @@ private:
     const bool isConcave = this->Shape.isConcave();
     if (isConcave)
     {
-      this->Shape.cutEars(out);
+      this->Clipper.cut(this->Shape, out);
     }
     // Both triangles of a fan of four are corners of it, which are known to turn its way.
     const double turned = isConcave || size > 4 ? this->Shape.turnedArea() : 0.0;
@@ -149,6 +150,7 @@ private:
   CellKind Kind;
   const TupleSpan& Points;
   Polygon Shape;
+  Ears Clipper;
   std::vector<std::size_t> Mended;
 };
 }

@@ -26,6 +26,7 @@ SHADING_KERNEL = "Rendering/Core/ShadingKernel.cxx"
 PAINTING = "Rendering/Core/Painting.cxx"
 SHADE_BATCH = "Rendering/Core/ShadeBatch.h"
 TRIANGULATION = "Rendering/Core/Triangulation.cxx"
+EARS = "Rendering/Core/Ears.h"
 TOUCHING = "Rendering/Core/TouchingPolygon.cxx"
 NORMAL = "Filters/Core/NormalContribution.h"
 NORMAL_KERNEL = "Filters/Core/NormalKernel.cxx"
@@ -190,6 +191,8 @@ MUTATIONS = [
     (TRIANGULATION, "isConcave || size > 4 ?", "isConcave ?", "doubled corners hide concave ones"),
     (TRIANGULATION, "this->mendedTurnedArea() < 0.5 * turned", "true",
      "what is no better is not changed"),
+    (EARS, ".witness == k)", ".witness == 0)", "what was in an ear's way is cut, and it is tried again"),
+    (EARS, "this->tryAgain(corner.next);", "", "the neighbours of a cut ear are tried again"),
     (TOUCHING, "return isOnNewEdge || this->leadsInto(a, b, c, p);", "return false;",
      "an ear has no corner in it"),
     # Normals.
