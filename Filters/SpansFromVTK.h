@@ -11,8 +11,7 @@
 #ifndef SpansFromVTK_h
 #define SpansFromVTK_h
 
-#include "Scene.h"
-#include "Triangulation.h"
+#include "Spans.h"
 
 #include "vtkObjectBase.h"
 #include "vtkSmartPointer.h"

@@ -11,6 +11,7 @@
 
 #include <cmath>
 
+using lambent::isFinite;
 using lambent::Vec3;
 
 namespace
@@ -18,11 +19,6 @@ namespace
 Vec3 toVec3(const double* v)
 {
   return { v[0], v[1], v[2] };
-}
-
-bool isFinite(const Vec3& v)
-{
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 /// An affine map, applied by our own sums, in one order.

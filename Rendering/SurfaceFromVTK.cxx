@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFromVTK.h"
 
+#include "CellSizes.h"
 #include "Chunks.h"
 #include "FacesFromVTK.h"
 #include "TriangleNormals.h"

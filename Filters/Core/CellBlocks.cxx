@@ -39,11 +39,6 @@ CellDefect checkCell(
   return {};
 }
 
-bool isFinite(const Vec3& p)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 template <typename Id>
 CellDefect findDefect(const CellView<Id>& cells, const CellBlock& block, std::size_t cornerCount,
   std::size_t pointCount)

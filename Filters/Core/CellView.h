@@ -10,8 +10,7 @@
 #ifndef lambent_CellView_h
 #define lambent_CellView_h
 
-#include "Scene.h"
-#include "Triangulation.h"
+#include "Spans.h"
 
 #include <cstddef>
 #include <cstdint>

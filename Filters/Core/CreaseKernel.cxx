@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "VectorTriples.h"
+#include "VectorLengths.h"
 
 #include "Creases.h"
 

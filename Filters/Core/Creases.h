@@ -19,7 +19,7 @@
 #define lambent_Creases_h
 
 #include "NormalContribution.h"
-#include "Scene.h"
+#include "Spans.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -37,8 +37,8 @@
 #ifndef lambent_NormalContribution_h
 #define lambent_NormalContribution_h
 
+#include "Arithmetic.h"
 #include "CornerAngles.h"
-#include "ImageContract.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -20,7 +20,7 @@
 
 #include "NormalContribution.h"
 #include "PointSums.h"
-#include "Scene.h"
+#include "Spans.h"
 
 #include <cstddef>
 #include <cstdint>

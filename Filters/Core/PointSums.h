@@ -7,7 +7,7 @@
 #ifndef lambent_PointSums_h
 #define lambent_PointSums_h
 
-#include "ImageContract.h"
+#include "Arithmetic.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -14,7 +14,7 @@
 #endif
 
 #include "CornerAngles.h"
-#include "VectorTriples.h"
+#include "VectorLengths.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,11 +32,6 @@ using I = hn::Vec<DI>;
 constexpr DI di;
 using DI32 = hn::Rebind<std::int32_t, D>;
 constexpr DI32 di32;
-
-Vector3 operator*(const Vector3& a, V s)
-{
-  return { hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s) };
-}
 
 V inverse(V a)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render.h"
 
-#include "Cells.h"
+#include "TileTasks.h"
 
 namespace lambent
 {
@@ -23,17 +23,18 @@ public:
     : Workers(parallel)
     , Tell(progress)
     , How(settings)
-    , Triangles(scene.surfaces)
+    , Mesh(scene.surfaces)
     , Frame(scene.camera, image.width, image.height)
     , Lattice(this->Frame, image.part)
-    , Positions(new LatticePosition[this->Triangles.pointCount()])
-    , Grid(image.part.width(), image.part.height(), settings.cellShift)
-    , Caster(this->Triangles, this->Frame, this->Grid)
-    , Binner(this->Triangles, this->Frame, this->Lattice, this->Positions.get(), this->Grid,
-        this->Caster, image.part, settings.culling, settings.kernels)
-    , Shades(scene, this->Triangles, this->Frame)
-    , Painter(scene, this->Triangles, this->Shades, image)
-    , CellWork(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
+    , Positions(new LatticePosition[this->Mesh.pointCount()])
+    , Grid(image.part.width(), image.part.height(), settings.tileShift)
+    , InFrame(this->Mesh, this->Frame)
+    , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, image.part,
+        settings.culling, settings.kernels)
+    , Caster(this->InFrame, this->Grid)
+    , Shades(scene, this->InFrame)
+    , Painter(scene, this->Mesh, this->Shades, image)
+    , Work(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
         settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
@@ -56,7 +57,7 @@ public:
         report.outcome = Outcome::BadMesh;
         return report;
       }
-      goesOn = goesOn && this->processCells(next == this->Triangles.triangleCount());
+      goesOn = goesOn && this->processTiles(next == this->Mesh.triangleCount());
     }
     report.outcome = goesOn ? Outcome::Done : Outcome::Aborted;
     return report;
@@ -77,7 +78,7 @@ private:
 
   bool locatePoints()
   {
-    const std::size_t count = this->Triangles.pointCount();
+    const std::size_t count = this->Mesh.pointCount();
     for (std::size_t begin = 0; begin < count; begin += batchSize)
     {
       this->forChunks(begin, std::min(count, begin + batchSize),
@@ -92,8 +93,8 @@ private:
 
   void locate(std::size_t begin, std::size_t end)
   {
-    this->Triangles.forPoints(begin, end,
-      [this](const Mesh::Part& part, std::size_t from, std::size_t to)
+    this->Mesh.forPoints(begin, end,
+      [this](const SceneMesh::Part& part, std::size_t from, std::size_t to)
       {
         LatticePosition* positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)
@@ -112,7 +113,7 @@ private:
   /// next is then the first that is left.
   bool binTriangles(std::size_t& next)
   {
-    const std::size_t count = this->Triangles.triangleCount();
+    const std::size_t count = this->Mesh.triangleCount();
     std::size_t pages = 0;
     for (const auto& memory : this->Filled)
     {
@@ -140,13 +141,13 @@ private:
     return true;
   }
 
-  bool processCells(bool isLastRound)
+  bool processTiles(bool isLastRound)
   {
-    this->CellWork.plan(this->FilledBins);
-    const std::size_t batches = this->CellWork.batchCount();
+    this->Work.plan(this->FilledBins);
+    const std::size_t batches = this->Work.batchCount();
     for (std::size_t batch = 0; batch < batches; ++batch)
     {
-      this->CellWork.run(batch, this->FilledBins, this->Workers, isLastRound);
+      this->Work.run(batch, this->FilledBins, this->Workers, isLastRound);
       constexpr double before = pointsShare + binningShare;
       if (isLastRound && !this->goOn(before + (1.0 - before) * (batch + 1) / batches))
       {
@@ -170,18 +171,19 @@ private:
   const Parallel& Workers;
   const Progress& Tell;
   const Settings How;
-  const Mesh Triangles;
+  const SceneMesh Mesh;
   const CameraFrame Frame;
   const PointLattice Lattice;
   const std::unique_ptr<LatticePosition[]> Positions;
-  const CellGrid Grid;
-  const Casting Caster;
+  const TileGrid Grid;
+  const FrameMesh InFrame;
   const Binning Binner;
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one a worker
   std::vector<const Bins*> FilledBins;
+  const Casting Caster;
   const Shader Shades;
   const Painting Painter;
-  Cells CellWork;
+  TileTasks Work;
   bool IsComplete = false;
 };
 }

@@ -5,18 +5,18 @@
  * @brief make the picture of a scene
  *
  * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are
- *    grouped into cells (CellGrid).
+ *    grouped into tiles (TileGrid).
  * 2. One pass over the points finds where each falls between the rays
  *    (PointLattice).
  * 3. One pass over the triangles drops those between the rays (Binning). Of small
- *    ones, the hits that are certain go into the bins of their cells (Coverage); of
+ *    ones, the hits that are certain go into the bins of their tiles (Coverage); of
  *    others, the triangle does (Bins).
- * 4. Each cell casts its rays at its triangles (Casting), finds the nearest of all
- *    hits of each (CellRays), shades it (Shading) and writes its pixels (Painting).
- *    Only the cell at hand has depths.
+ * 4. Each tile casts its rays at its triangles (Casting), finds the nearest of all
+ *    hits of each (TileSamples), shades it (Shading) and writes its pixels (Painting).
+ *    Only the tile at hand has depths.
  *
  * Should the bins of step 3 fill the memory they are given, step 4 is done for
- * what they hold, the cells keep their hits, and step 3 goes on.
+ * what they hold, the tiles keep their hits, and step 3 goes on.
  *
  * Beside scene and image this takes 4 bytes a point, and 16 bytes for each hit or up
  * to 32 for each larger triangle, at most Settings::binPages pages of them.
@@ -25,34 +25,21 @@
 #define lambent_Render_h
 
 #include "Binning.h"
+#include "Image.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "VectorTarget.h"
-#include "Window.h"
 
 #include <functional>
 
 namespace lambent
 {
-/// Where the picture goes: a part of an image, row by row from the bottom, three
-/// channels a pixel, as bytes or as floats (the other one is nullptr). And, where
-/// wanted, the number of the triangle that each pixel shows, as Mesh counts them, or
-/// noTriangle.
-struct Image
-{
-  int width = 0, height = 0; ///< of the whole image
-  Window part;               ///< what is made and stored of it
-  unsigned char* bytes = nullptr;
-  float* floats = nullptr;
-  std::uint32_t* triangles = nullptr;
-};
-
 /// How the work is cut. None of it changes a bit of the picture.
 struct Settings
 {
-  int cellShift = 5;                 ///< cells are 2^cellShift pixels wide
+  int tileShift = 5;                 ///< tiles are 2^tileShift pixels wide
   std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
-  std::size_t binPages = 128 * 1024; ///< of 1 kB, before the cells are processed
+  std::size_t binPages = 128 * 1024; ///< of 1 kB, before the tiles are processed
   bool culling = true;               ///< drop triangles between the rays
   /// Locate, cast and shade with vectors.
   bool kernels = areVectorsInUse();
@@ -61,9 +48,9 @@ struct Settings
   static Settings bruteForce(const Window& part)
   {
     Settings settings;
-    while (std::max(part.width(), part.height()) > 1 << settings.cellShift)
+    while (std::max(part.width(), part.height()) > 1 << settings.tileShift)
     {
-      ++settings.cellShift;
+      ++settings.tileShift;
     }
     settings.chunk = noTriangle;
     settings.culling = false;

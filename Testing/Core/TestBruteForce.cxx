@@ -70,7 +70,7 @@ std::string describe(unsigned int seed, const RandomScene& random)
 Settings smallCells(int shift)
 {
   Settings settings;
-  settings.cellShift = shift;
+  settings.tileShift = shift;
   settings.chunk = 7;
   return settings;
 }
@@ -83,9 +83,10 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
   for (unsigned int seed = 0; seed < 60; ++seed)
   {
     const RandomScene random = makeRandomScene(seed);
-    const Mesh mesh(random.scene.surfaces);
+    const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, random.width, random.height);
-    const Shader shader(random.scene, mesh, frame);
+    const FrameMesh inFrame(mesh, frame);
+    const Shader shader(random.scene, inFrame);
     const Picture picture = makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     for (int j = 0; j < random.height; ++j)
     {
@@ -258,7 +259,7 @@ TEST(BruteForce, EqualsSplitCells)
     }
     random.scene.surfaces[0].corners = { data.corners64.data(), true, data.corners64.size() };
     Settings settings;
-    settings.cellShift = 7;
+    settings.tileShift = 7;
     const Picture alone = makePicture(random, whole(random), settings);
     for (int threads : { 2, 3, 8 })
     {

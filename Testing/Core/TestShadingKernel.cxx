@@ -29,7 +29,8 @@ struct Sheets
   std::vector<std::int32_t> corners;
   Scene scene;
   std::unique_ptr<const CameraFrame> frame;
-  std::unique_ptr<const Mesh> mesh;
+  std::unique_ptr<const SceneMesh> mesh;
+  std::unique_ptr<const FrameMesh> inFrame;
 
   Sheets(unsigned int seed, bool parallel, Shading shading)
     : random(seed)
@@ -51,7 +52,8 @@ struct Sheets
     surface.material.diffuse = this->random.inBox(0.5) + Vec3(0.5);
     surface.material.ambient = this->random.inBox(0.5) + Vec3(0.5);
     this->scene.surfaces.push_back(surface);
-    this->mesh = std::make_unique<Mesh>(this->scene.surfaces);
+    this->mesh = std::make_unique<SceneMesh>(this->scene.surfaces);
+    this->inFrame = std::make_unique<FrameMesh>(*this->mesh, *this->frame);
     this->addLights();
   }
 
@@ -190,7 +192,7 @@ void compare(unsigned int seed, bool parallel, Shading shading)
   Sheets sheets(seed, parallel, shading);
   sheets.scene.twoSidedLighting = seed % 2 == 0;
   sheets.scene.ambientModel = seed % 3 == 0 ? AmbientModel::Scene : AmbientModel::PerLight;
-  const Shader shader(sheets.scene, *sheets.mesh, *sheets.frame);
+  const Shader shader(sheets.scene, *sheets.inFrame);
   for (int row = 0; row < height; ++row)
   {
     Rays rays(sheets, row);

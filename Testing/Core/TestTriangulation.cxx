@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CellSizes.h"
 #include "RandomNumbers.h"
 #include "ThreadedParallel.h"
 #include "Triangulation.h"

@@ -244,7 +244,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzInput input(data, size);
   // How the work is cut comes first: it is short, and the scene takes all that is left.
   Settings settings;
-  settings.cellShift = input.choice(7);
+  settings.tileShift = input.choice(7);
   settings.chunk = 1 + input.choice(32);
   settings.culling = !input.seldom();
   settings.binPages = input.seldom(64) ? 1 : settings.binPages;

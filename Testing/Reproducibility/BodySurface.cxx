@@ -3,6 +3,7 @@
 #include "BodySurface.h"
 
 #include "CellBlocks.h"
+#include "CellSizes.h"
 #include "CellView.h"
 #include "TriangleNormals.h"
 

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief arrays that belong to somebody else: tuples, indices, cells
+ *
+ * A span points into memory that the caller keeps alive; nothing is copied and nothing
+ * written.
+ */
+#ifndef lambent_Spans_h
+#define lambent_Spans_h
+
+#include "Arithmetic.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lambent
+{
+/// Three-component tuples of float or double, one after the other.
+struct TupleSpan
+{
+  const void* data = nullptr;
+  bool isDouble = false;
+  std::size_t size = 0;
+
+  explicit operator bool() const { return this->data != nullptr; }
+
+  /// Where tuple i lies.
+  const char* at(std::size_t i) const
+  {
+    return static_cast<const char*>(this->data) + (this->isDouble ? 24 : 12) * i;
+  }
+
+  Vec3 operator[](std::size_t i) const
+  {
+    if (this->isDouble)
+    {
+      const double* p = static_cast<const double*>(this->data) + 3 * i;
+      return { p[0], p[1], p[2] };
+    }
+    const float* p = static_cast<const float*>(this->data) + 3 * i;
+    return { p[0], p[1], p[2] };
+  }
+};
+
+/// Indices of 32 or 64 bits. A negative one becomes larger than any valid index.
+struct IndexSpan
+{
+  const void* data = nullptr;
+  bool is64Bit = false;
+  std::size_t size = 0;
+
+  /// Where index i lies.
+  const char* at(std::size_t i) const
+  {
+    return static_cast<const char*>(this->data) + (this->is64Bit ? 8 : 4) * i;
+  }
+
+  std::uint64_t operator[](std::size_t i) const
+  {
+    return this->is64Bit
+      ? static_cast<std::uint64_t>(static_cast<const std::int64_t*>(this->data)[i])
+      : static_cast<std::uint64_t>(
+          static_cast<std::int64_t>(static_cast<const std::int32_t*>(this->data)[i]));
+  }
+};
+
+/// Cell k has the points connectivity[offsets[k]] to connectivity[offsets[k + 1] - 1].
+struct CellSpan
+{
+  IndexSpan offsets; ///< one more than there are cells
+  IndexSpan connectivity;
+};
+}
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// This file is compiled once for each instruction set, by including itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "CastingKernel.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "CastingSetup.h"
+#include "ExactRow.h"
+
+#include "CastingKernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+using F = hn::CappedTag<float, 16>;
+constexpr F f;
+using Floats = hn::Vec<F>;
+using FloatMask = hn::Mask<F>;
+using U = hn::RebindToUnsigned<F>;
+constexpr U u;
+constexpr auto step = static_cast<int>(hn::MaxLanes(F()));
+
+Floats smallest(Floats a, Floats b, Floats c)
+{
+  return hn::Min(hn::Min(a, b), c);
+}
+
+Floats largest(Floats a, Floats b, Floats c)
+{
+  return hn::Max(hn::Max(a, b), c);
+}
+
+/// An affine function of the ray, for some columns: what is the same for all rows, and
+/// what a row adds.
+struct Column
+{
+  Floats constant, perRow;
+
+  Column(const AffineFloats& numbers, int lane, Floats i)
+    : constant(hn::Add(
+        hn::Set(f, numbers.constant[lane]), hn::Mul(hn::Set(f, numbers.perColumn[lane]), i)))
+    , perRow(hn::Set(f, numbers.perRow[lane]))
+  {
+  }
+
+  Floats at(Floats j) const { return hn::Add(this->constant, hn::Mul(this->perRow, j)); }
+};
+
+FloatMask columnsBefore(Floats i, int end)
+{
+  return hn::Lt(i, hn::Set(f, static_cast<float>(end)));
+}
+
+/// Some columns of a triangle's box, from the ray i on.
+void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i, TileSamples& rays,
+  std::vector<ExactHit>& hits)
+{
+  const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+  const FloatMask inside = columnsBefore(columns, t.box.i1);
+  const Column edges[3] = { { all.edges[0], lane, columns }, { all.edges[1], lane, columns },
+    { all.edges[2], lane, columns } };
+  const Column nearness(all.nearness, lane, columns);
+  const Floats error = hn::Set(f, all.error[lane]), minusError = hn::Neg(error);
+  const Floats spread = hn::Set(f, all.spread[lane]);
+  const Floats farthest = hn::Set(f, all.farthest[lane]), nearest = hn::Set(f, all.nearest[lane]);
+  const FloatMask never = hn::Lt(columns, hn::Zero(f));
+  float* const lows = rays.lows();
+  float* const highs = rays.highs();
+  std::uint32_t* const triangles = rays.triangles();
+  for (int row = t.box.j0; row < t.box.j1; ++row)
+  {
+    const Floats j = hn::Set(f, static_cast<float>(row));
+    const Floats e0 = edges[0].at(j), e1 = edges[1].at(j), e2 = edges[2].at(j);
+    const Floats low = smallest(e0, e1, e2), high = largest(e0, e1, e2);
+    const FloatMask front = hn::Gt(low, error), back = hn::Lt(high, minusError);
+    const FloatMask miss = hn::And(hn::Lt(low, minusError), hn::Gt(high, error));
+    const FloatMask hit =
+      hn::And(inside, hn::Or(t.cullFront ? never : front, t.cullBack ? never : back));
+    FloatMask open = hn::AndNot(hn::Or(miss, hn::Or(front, back)), inside);
+    if (hn::AllFalse(f, hn::Or(hit, open)))
+    {
+      continue;
+    }
+    const std::size_t ray = static_cast<std::size_t>(row) * rays.stride() + i;
+    const Floats value = nearness.at(j);
+    const Floats from = hn::Max(hn::Sub(value, spread), farthest);
+    const Floats to = hn::Min(hn::Add(value, spread), nearest);
+    const Floats oldFrom = hn::LoadU(f, rays.lows() + ray),
+                 oldTo = hn::LoadU(f, rays.highs() + ray);
+    const FloatMask isNearer = hn::And(hit, hn::Gt(from, oldTo));
+    hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), f, lows + ray);
+    hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), f, highs + ray);
+    hn::StoreU(hn::IfThenElse(
+                 hn::RebindMask(u, isNearer), hn::Set(u, t.number), hn::LoadU(u, triangles + ray)),
+      u, triangles + ray);
+    const FloatMask isFarther = hn::Lt(to, oldFrom);
+    open = hn::Or(open, hn::AndNot(hn::Or(isNearer, isFarther), hit));
+    if (!hn::AllFalse(f, open))
+    {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(f, open, bits);
+      exactRow(t, row, i, bits, rays, hits);
+    }
+  }
+}
+
+/// All of the box, exactly.
+void castExactly(const BoxTriangle& t, const TileSamples& rays, std::vector<ExactHit>& hits)
+{
+  for (int i = t.box.i0; i < t.box.i1; i += step)
+  {
+    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(f, columnsBefore(columns, t.box.i1), bits);
+    for (int row = t.box.j0; row < t.box.j1; ++row)
+    {
+      exactRow(t, row, i, bits, rays, hits);
+    }
+  }
+}
+
+/// The nearness that all hits of the tile have at least.
+float leastNearness(const TileSamples& rays)
+{
+  Floats least = hn::Set(f, std::numeric_limits<float>::infinity());
+  const Window& window = rays.window();
+  for (int i = 0; i < window.width(); i += step)
+  {
+    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+    const FloatMask inside = columnsBefore(columns, window.width());
+    for (int row = 0; row < window.height(); ++row)
+    {
+      const Floats low =
+        hn::LoadU(f, rays.lows() + static_cast<std::size_t>(row) * rays.stride() + i);
+      least = hn::IfThenElse(inside, hn::Min(least, low), least);
+    }
+  }
+  return hn::GetLane(hn::MinOfLanes(f, least));
+}
+
+void CastBatchOfTriangles(const CameraFrame& frame, CastBatch& batch, TileSamples& rays)
+{
+  const Window& window = rays.window();
+  const TilePlane tile(frame, rays);
+  float least = leastNearness(rays);
+  HWY_ALIGN Triangles all;
+  for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
+  {
+    setUp(frame, tile, batch, k, all);
+    for (int lane = 0; lane < std::min(static_cast<int>(lanes), batch.count - k); ++lane)
+    {
+      if (all.isMissed(lane))
+      {
+        continue;
+      }
+      const BoxTriangle t(all, lane, batch, k + lane);
+      if (!all.isRegular(lane))
+      {
+        castExactly(t, rays, batch.hits);
+        continue;
+      }
+      if (all.nearestInBox[lane] < least)
+      {
+        continue;
+      }
+      for (int i = t.box.i0; i < t.box.i1; i += step)
+      {
+        castColumns(all, lane, t, i, rays, batch.hits);
+      }
+      if (2 * t.box.width() * t.box.height() > window.width() * window.height())
+      {
+        least = leastNearness(rays); // it may well have covered the tile
+      }
+    }
+  }
+}
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent
+{
+HWY_EXPORT(CastBatchOfTriangles);
+
+void castBatch(const CameraFrame& frame, CastBatch& batch, TileSamples& rays)
+{
+  HWY_DYNAMIC_DISPATCH(CastBatchOfTriangles)(frame, batch, rays);
+}
+}
+#endif

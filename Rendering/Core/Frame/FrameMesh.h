@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief single triangles of the scene in the camera's frame, and exact hits of single rays
+ */
+#ifndef lambent_FrameMesh_h
+#define lambent_FrameMesh_h
+
+#include "CameraFrame.h"
+#include "SceneMesh.h"
+
+namespace lambent
+{
+struct FrameTriangle
+{
+  FramePoint a, b, c;
+  bool cullFront, cullBack;
+
+  /// intersect() for the side of the triangle that is drawn.
+  bool isHit(double x, double y, Hit& hit) const
+  {
+    return intersect(this->a, this->b, this->c, x, y, hit) && !(this->cullFront && hit.sum > 0.0) &&
+      !(this->cullBack && hit.sum < 0.0);
+  }
+};
+
+class FrameMesh
+{
+public:
+  FrameMesh(const SceneMesh& mesh, const CameraFrame& frame)
+    : Mesh(mesh)
+    , Frame(frame)
+  {
+  }
+
+  const SceneMesh& mesh() const { return this->Mesh; }
+  const CameraFrame& frame() const { return this->Frame; }
+
+  FrameTriangle triangle(std::uint32_t number) const
+  {
+    const SceneMesh::Part& part = this->Mesh.partOf(number);
+    const Surface& surface = *part.surface;
+    const std::size_t first = 3 * (number - part.firstTriangle);
+    const auto corner = [&](std::size_t k)
+    { return this->Frame.toFrame(surface.points[surface.corners[first + k]]); };
+    return { corner(0), corner(1), corner(2), surface.material.cullFront,
+      surface.material.cullBack };
+  }
+
+  /// The depth at which the ray through (x, y) hits a triangle, if it does.
+  bool hits(std::uint32_t number, double x, double y, double& depth) const
+  {
+    Hit hit{};
+    const bool isHit = this->triangle(number).isHit(x, y, hit);
+    depth = hit.depth;
+    return isHit;
+  }
+
+private:
+  const SceneMesh& Mesh;
+  const CameraFrame& Frame;
+};
+}
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Binning.h"
+
+#include <hwy/cache_control.h>
+
+#include <limits>
+
+namespace lambent
+{
+namespace
+{
+// The kernels number points in 32 bits.
+constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
+}
+
+void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
+{
+  this->Mesh.mesh().forTriangles(begin, end,
+    [&](const SceneMesh::Part& part, std::size_t partBegin, std::size_t partEnd)
+    {
+      constexpr std::size_t block = LatticeBoxes::capacity;
+      for (std::size_t t = partBegin; t < partEnd; t += block)
+      {
+        this->bin(part, t, std::min(t + block, partEnd), memory);
+      }
+    });
+}
+
+void Binning::bin(
+  const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
+{
+  const Surface& surface = *part.surface;
+  const std::size_t pointCount = surface.points.size;
+  LatticeBoxes& boxes = memory.boxes;
+  if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
+    !readCorners(surface.corners, begin, end, pointCount, boxes))
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      this->binPlainly(part, t, memory);
+    }
+    return;
+  }
+  if (memory.part != &part)
+  {
+    this->flush(memory);
+    memory.part = &part;
+  }
+  findBoxes(this->Positions + part.firstPoint, boxes);
+  const bool isCulled = surface.material.cullFront || surface.material.cullBack;
+  const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
+  for (int k = 0; k < boxes.found; ++k)
+  {
+    const std::uint32_t place = boxes.triangles[k];
+    const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
+    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
+    const std::uint32_t triangle = first + place;
+    if (isExact && !isCulled && box.width() <= SmallTriangles::side &&
+      box.height() <= SmallTriangles::side)
+    {
+      const std::int32_t* const corners = boxes.corners + 3 * place;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        hwy::Prefetch(surface.points.at(corners[corner])); // for flush()
+      }
+      this->addSmall({ triangle, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+        box.width(), box.height(), memory);
+    }
+    else
+    {
+      memory.bins.insert(triangle, box, isExact);
+    }
+  }
+  for (int k = 0; k < boxes.unplaced; ++k)
+  {
+    this->binPlainly(part, begin + boxes.unplacedTriangles[k], memory);
+  }
+}
+
+void Binning::addSmall(
+  const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const
+{
+  SmallTriangles& small = memory.small[height - 1][width - 1];
+  small.items[small.count++] = triangle;
+  if (small.count == SmallTriangles::capacity)
+  {
+    this->flush(width, height, memory);
+  }
+}
+
+void Binning::flush(BinningMemory& memory) const
+{
+  for (int height = 1; height <= SmallTriangles::side; ++height)
+  {
+    for (int width = 1; width <= SmallTriangles::side; ++width)
+    {
+      if (memory.small[height - 1][width - 1].count > 0)
+      {
+        this->flush(width, height, memory);
+      }
+    }
+  }
+}
+
+void Binning::load(
+  const SmallTriangles& small, int width, int height, const TupleSpan& points, CoverageBatch& batch)
+{
+  batch.count = small.count;
+  batch.width = width;
+  batch.height = height;
+  for (int k = 0; k < small.count; ++k)
+  {
+    const SmallTriangle& triangle = small.items[k];
+    batch.triangles[k] = triangle.number;
+    batch.i[k] = triangle.i;
+    batch.j[k] = triangle.j;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Vec3 p = points[triangle.corners[corner]];
+      batch.points[3 * corner][k] = p.x;
+      batch.points[3 * corner + 1][k] = p.y;
+      batch.points[3 * corner + 2][k] = p.z;
+    }
+  }
+}
+
+void Binning::flush(int width, int height, BinningMemory& memory) const
+{
+  SmallTriangles& small = memory.small[height - 1][width - 1];
+  CoveredRays& covered = memory.covered;
+  load(small, width, height, memory.part->surface->points, memory.batch);
+  const CoverageBatch& batch = memory.batch;
+  findCoverage(batch, this->Lattice, covered);
+  small.count = 0;
+  for (int k = 0; k < covered.certain; ++k)
+  {
+    const CoveredRay& ray = covered.certainRays[k];
+    const int t = ray.triangle();
+    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
+    memory.bins.insertHit(i, j, batch.triangles[t], { covered.lows[t], covered.highs[t] });
+  }
+  for (int k = 0; k < covered.uncertain; ++k)
+  {
+    const CoveredRay& ray = covered.uncertainRays[k];
+    const int t = ray.triangle();
+    const std::uint32_t triangle = batch.triangles[t];
+    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
+    double depth;
+    if (this->Mesh.hits(
+          triangle, this->Frame.x(this->Part.i0 + i), this->Frame.y(this->Part.j0 + j), depth))
+    {
+      memory.bins.insertHit(i, j, triangle, nearnessOf(depth, this->Frame.parallel));
+    }
+  }
+}
+
+void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemory& memory) const
+{
+  Bins& bins = memory.bins;
+  MeshDefects& defects = memory.defects;
+  const Surface& surface = *part.surface;
+  const LatticePosition* positions = this->Positions + part.firstPoint;
+  const auto triangle = static_cast<std::uint32_t>(part.firstTriangle + t);
+  const std::uint64_t corners[3] = { surface.corners[3 * t], surface.corners[3 * t + 1],
+    surface.corners[3 * t + 2] };
+  if (std::max(corners[0], std::max(corners[1], corners[2])) >= surface.points.size)
+  {
+    defects.wrongCorner = std::min(defects.wrongCorner, triangle);
+    return;
+  }
+  const LatticePosition a = positions[corners[0]];
+  const LatticePosition b = positions[corners[1]];
+  const LatticePosition c = positions[corners[2]];
+  if (std::max(a.column, std::max(b.column, c.column)) < LatticePosition::notFinite)
+  {
+    const Window rays = this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
+    if (!rays.empty())
+    {
+      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
+    }
+  }
+  else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
+    c.column == LatticePosition::notFinite)
+  {
+    // All triangles of such a cell are; it counts once.
+    defects.notFinite += t == 0 || surface.cellOf(t) != surface.cellOf(t - 1);
+    defects.firstNotFinite = std::min(defects.firstNotFinite, triangle);
+  }
+  else if (!this->Culling || !this->isBehindEye(surface.points, corners))
+  {
+    bins.insert(triangle, this->Grid.whole(), false);
+  }
+}
+
+bool Binning::isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const
+{
+  return !(this->Frame.toFrame(points[corners[0]]).z > 0.0 ||
+    this->Frame.toFrame(points[corners[1]]).z > 0.0 ||
+    this->Frame.toFrame(points[corners[2]]).z > 0.0);
+}
+}

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief which triangles each tile has to test, and what is known to be hit
+ *
+ * Each worker fills bins of its own, without a lock. A bin is a list of pages, so that
+ * it grows without moving what it holds and an empty one costs a pointer. The order in
+ * which things stand in a bin is left to chance; the nearest hit does not depend on it.
+ */
+#ifndef lambent_Bins_h
+#define lambent_Bins_h
+
+#include "Nearness.h"
+#include "TileGrid.h"
+
+#include <hwy/cache_control.h>
+
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace lambent
+{
+/// A triangle by its number in the scene, and its box within the tile: first and
+/// last step along each axis, in the level's units.
+struct BinEntry
+{
+  std::uint32_t triangle;
+  std::uint8_t i0, i1, j0, j1;
+};
+
+/// A hit that is certain.
+struct Fragment
+{
+  std::uint32_t triangle;
+  std::uint32_t ray; ///< of the tile
+  Nearness nearness;
+};
+
+/// In bytes: large enough that reading one hides the way to the next.
+constexpr std::size_t pageSize = 1024;
+
+template <typename Item>
+struct Page
+{
+  static_assert(std::is_trivially_default_constructible_v<Item>, "new pages are not written to");
+
+  static constexpr int capacity = static_cast<int>((pageSize - 8) / sizeof(Item));
+
+  Page* next;
+  Item items[capacity];
+};
+
+/// Bins of items, by number.
+template <typename Item>
+class PagedBins
+{
+public:
+  static constexpr int pageCapacity = Page<Item>::capacity;
+
+  explicit PagedBins(int bins)
+    : Heads(bins)
+  {
+  }
+
+  std::size_t pageCount(int bin) const { return this->Heads[bin].pages; }
+  /// Over all bins.
+  std::size_t pageCount() const { return this->Pages; }
+
+  void clear()
+  {
+    std::fill(this->Heads.begin(), this->Heads.end(), Head{});
+    this->Pages = 0;
+  }
+
+  // What is written is the item alone: pages are seldom in the nearest cache.
+  void append(int bin, const Item& item)
+  {
+    Head& head = this->Heads[bin];
+    if (head.used == pageCapacity)
+    {
+      Page<Item>* page = this->newPage();
+      page->next = head.page;
+      head.page = page;
+      head.used = 0;
+      ++head.pages;
+    }
+    hwy::Prefetch(head.page->items + head.used + 8); // what is written soon is not at hand
+    head.page->items[head.used++] = item;
+  }
+
+  /// Calls body(items, count) for each page of a bin.
+  template <typename Body>
+  void forPages(int bin, Body&& body) const
+  {
+    const Head& head = this->Heads[bin];
+    int count = head.used;
+    for (const Page<Item>* page = head.page; page; page = page->next)
+    {
+      const auto* next = reinterpret_cast<const char*>(page->next);
+      for (std::size_t line = 0; next && line < sizeof(Page<Item>); line += 64)
+      {
+        hwy::Prefetch(next + line);
+      }
+      body(page->items, count);
+      count = pageCapacity;
+    }
+  }
+
+private:
+  struct Head
+  {
+    Page<Item>* page = nullptr;
+    int used = pageCapacity; ///< of the page; there is none at first
+    int pages = 0;
+  };
+
+  Page<Item>* newPage()
+  {
+    constexpr std::size_t pagesPerBlock = 256;
+    const std::size_t block = this->Pages / pagesPerBlock;
+    if (block == this->Blocks.size())
+    {
+      // Not make_unique, which would write over all of it.
+      this->Blocks.emplace_back(new Page<Item>[pagesPerBlock]);
+    }
+    return &this->Blocks[block][this->Pages++ % pagesPerBlock];
+  }
+
+  std::vector<Head> Heads;
+  std::vector<std::unique_ptr<Page<Item>[]>> Blocks;
+  std::size_t Pages = 0;
+};
+
+/// The bins of one worker: triangles for tiles of each level, hits for the finest.
+class Bins
+{
+public:
+  explicit Bins(const TileGrid& grid)
+    : Grid(&grid)
+    , Finest(grid.levels().front())
+    , RayShift(grid.rayShift())
+    , Triangles(grid.totalCount())
+    , Hits(grid.tileCount())
+  {
+  }
+
+  const PagedBins<BinEntry>& triangles() const { return this->Triangles; }
+  const PagedBins<Fragment>& hits() const { return this->Hits; }
+  std::size_t pageCount() const { return this->Triangles.pageCount() + this->Hits.pageCount(); }
+
+  void clear()
+  {
+    this->Triangles.clear();
+    this->Hits.clear();
+  }
+
+  /// Hand a triangle to the tiles that its rays fall into: of the finest level if
+  /// the box of rays is exact, so that there each entry's box is; else of a coarser.
+  void insert(std::uint32_t triangle, const Window& rays, bool isExact)
+  {
+    const TileGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
+    const int size = 1 << level.shift;
+    for (int j = rays.j0 >> level.shift << level.shift; j < rays.j1; j += size)
+    {
+      for (int i = rays.i0 >> level.shift << level.shift; i < rays.i1; i += size)
+      {
+        const Window part = intersection(rays, { i, i + size, j, j + size });
+        const auto step = [&level](int ray)
+        { return static_cast<std::uint8_t>(ray >> level.unitShift); };
+        this->Triangles.append(level.tileAt(i, j),
+          { triangle, step(part.i0 - i), step(part.i1 - 1 - i), step(part.j0 - j),
+            step(part.j1 - 1 - j) });
+      }
+    }
+  }
+
+  /// Hand a hit of the ray (i, j) to its tile.
+  void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
+  {
+    const int inTile = (1 << this->Finest.shift) - 1;
+    const int ray = ((j & inTile) << this->RayShift) + (i & inTile);
+    this->Hits.append(
+      this->Finest.tileAt(i, j), { triangle, static_cast<std::uint32_t>(ray), nearness });
+  }
+
+private:
+  const TileGrid* Grid;
+  const TileGrid::Level Finest;
+  const int RayShift;
+  PagedBins<BinEntry> Triangles;
+  PagedBins<Fragment> Hits;
+};
+}
+
+#endif
