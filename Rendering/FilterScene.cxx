@@ -17,7 +17,7 @@
 FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs,
   const lambent::Parallel& parallel)
   : Filter(filter)
-  , Surfaces(inputs, materials(filter, inputs.size()), parallel)
+  , Surfaces(inputs, appearances(filter, inputs.size()), parallel)
 {
   this->addCamera(parallel);
   this->addLights();
@@ -33,14 +33,14 @@ FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyD
   this->Description.surfaces = this->Surfaces.surfaces();
 }
 
-std::vector<lambent::Material> FilterScene::materials(
+std::vector<lambent::Appearance> FilterScene::appearances(
   vtkLambentRayTracer* filter, std::size_t count)
 {
-  std::vector<lambent::Material> result;
+  std::vector<lambent::Appearance> result;
   for (int k = 0; k < static_cast<int>(count); ++k)
   {
     vtkProperty* own = filter->GetInputProperty(k);
-    result.push_back(materialFromVTK(own ? own : filter->GetProperty()));
+    result.push_back(appearanceFromVTK(own ? own : filter->GetProperty()));
     if (!isFinite(result.back()))
     {
       throw std::runtime_error("Input " + std::to_string(k) +

@@ -24,7 +24,8 @@ public:
   const InputSurfaces& surfaces() const { return this->Surfaces; }
 
 private:
-  static std::vector<lambent::Material> materials(vtkLambentRayTracer* filter, std::size_t count);
+  static std::vector<lambent::Appearance> appearances(
+    vtkLambentRayTracer* filter, std::size_t count);
   void addCamera(const lambent::Parallel& parallel);
   void addLights();
   void addBackground();

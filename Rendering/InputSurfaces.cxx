@@ -36,7 +36,7 @@ void forInput(std::size_t input, Body&& body)
 }
 
 InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-  const std::vector<lambent::Material>& materials, const lambent::Parallel& parallel)
+  const std::vector<lambent::Appearance>& appearances, const lambent::Parallel& parallel)
   : Inputs(inputs)
 {
   std::size_t triangles = 0;
@@ -46,7 +46,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       [&]()
       {
         this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], materials[k], parallel));
+          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], parallel));
         triangles += this->Surfaces[k]->surface().triangleCount();
         if (triangles >= lambent::noTriangle)
         {
@@ -63,7 +63,7 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const lambent::
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
-    if (surface.surface().material.shading != lambent::Shading::Smooth ||
+    if (surface.surface().appearance.shading != lambent::Shading::Smooth ||
       surface.surface().triangleCount() == 0)
     {
       continue;

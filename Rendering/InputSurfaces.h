@@ -18,10 +18,10 @@
 class InputSurfaces
 {
 public:
-  /// Surface k is that of inputs[k] with materials[k]. Throws std::runtime_error
+  /// Surface k is that of inputs[k] with appearances[k]. Throws std::runtime_error
   /// with a message that names the input, as do the others.
   InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-    const std::vector<lambent::Material>& materials, const lambent::Parallel& parallel);
+    const std::vector<lambent::Appearance>& appearances, const lambent::Parallel& parallel);
 
   /// Give those that are shaded smooth normals: the inputs' own where they have some and
   /// these are wanted, computed ones otherwise.

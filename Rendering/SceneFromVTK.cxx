@@ -173,16 +173,17 @@ lambent::Light headlight(const lambent::Camera& camera)
   return result;
 }
 
-lambent::Material materialFromVTK(vtkProperty* property)
+lambent::Appearance appearanceFromVTK(vtkProperty* property)
 {
-  lambent::Material result;
+  lambent::Appearance result;
   if (!property)
   {
     return result;
   }
-  result.diffuse = toVec3(property->GetDiffuseColor()) * property->GetDiffuse();
-  result.ambient = toVec3(property->GetAmbientColor()) * property->GetAmbient();
-  result.color = toVec3(property->GetDiffuseColor());
+  result.diffuse = property->GetDiffuse();
+  result.ambient = property->GetAmbient();
+  result.diffuseColor = toVec3(property->GetDiffuseColor());
+  result.ambientColor = toVec3(property->GetAmbientColor());
   result.shading = !property->GetLighting()    ? lambent::Shading::Unlit
     : property->GetInterpolation() == VTK_FLAT ? lambent::Shading::Flat
                                                : lambent::Shading::Smooth;
@@ -191,7 +192,8 @@ lambent::Material materialFromVTK(vtkProperty* property)
   return result;
 }
 
-bool isFinite(const lambent::Material& material)
+bool isFinite(const lambent::Appearance& appearance)
 {
-  return isFinite(material.diffuse) && isFinite(material.ambient) && isFinite(material.color);
+  return isFinite(appearance.diffuseColor) && isFinite(appearance.diffuseReflection()) &&
+    isFinite(appearance.ambientReflection());
 }

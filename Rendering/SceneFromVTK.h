@@ -39,10 +39,10 @@ std::string describeDefect(const lambent::Light& light);
 /// The white headlight of a scene without lights.
 lambent::Light headlight(const lambent::Camera& camera);
 
-/// A property as a material; nullptr is the default one.
-lambent::Material materialFromVTK(vtkProperty* property);
+/// A property as a appearance; nullptr is the default one.
+lambent::Appearance appearanceFromVTK(vtkProperty* property);
 
-/// False if a coefficient or colour of the material is not a finite number.
-bool isFinite(const lambent::Material& material);
+/// False if a coefficient or colour of the appearance is not a finite number.
+bool isFinite(const lambent::Appearance& appearance);
 
 #endif

@@ -28,14 +28,14 @@ std::string describe(vtkDataArray* array)
 }
 
 SurfaceFromVTK::SurfaceFromVTK(
-  vtkPolyData* polyData, const lambent::Material& material, const lambent::Parallel& parallel)
+  vtkPolyData* polyData, const lambent::Appearance& appearance, const lambent::Parallel& parallel)
   : Input(polyData)
 {
-  this->Result.material = material;
+  this->Result.appearance = appearance;
   this->setPoints();
   this->setCells(parallel);
   vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
-  if (cellNormals && material.shading == lambent::Shading::Flat)
+  if (cellNormals && appearance.shading == lambent::Shading::Flat)
   {
     this->Result.cellNormals = this->normals(cellNormals, polyData->GetNumberOfCells(), "cell");
   }

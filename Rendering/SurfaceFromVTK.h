@@ -28,8 +28,8 @@ class SurfaceFromVTK
 public:
   /// The polydata must outlive this object. Throws std::runtime_error, as do the
   /// others, with a message for the user.
-  SurfaceFromVTK(
-    vtkPolyData* polyData, const lambent::Material& material, const lambent::Parallel& parallel);
+  SurfaceFromVTK(vtkPolyData* polyData, const lambent::Appearance& appearance,
+    const lambent::Parallel& parallel);
 
   const lambent::Surface& surface() const { return this->Result; }
 

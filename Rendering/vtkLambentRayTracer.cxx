@@ -80,7 +80,7 @@ void vtkLambentRayTracer::ResetCamera()
   try
   {
     std::vector<vtkPolyData*> inputs;
-    std::vector<lambent::Material> materials;
+    std::vector<lambent::Appearance> appearances;
     for (int connection = 0; connection < this->GetNumberOfInputConnections(0); ++connection)
     {
       int port = 0;
@@ -89,11 +89,11 @@ void vtkLambentRayTracer::ResetCamera()
       if (auto* input = vtkPolyData::SafeDownCast(producer->GetOutputDataObject(port)))
       {
         inputs.push_back(input);
-        materials.push_back(materialFromVTK(nullptr));
+        appearances.push_back(appearanceFromVTK(nullptr));
       }
     }
     const SMPParallel parallel;
-    const InputSurfaces surfaces(inputs, materials, parallel);
+    const InputSurfaces surfaces(inputs, appearances, parallel);
     vtkSmartPointer<vtkCamera> camera = this->Camera;
     if (!camera)
     {

@@ -32,8 +32,10 @@ public:
     , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, image.part,
         settings.culling, settings.kernels)
     , Caster(this->InFrame, this->Grid)
-    , Shades(scene, this->InFrame)
-    , Painter(scene, this->Mesh, this->Shades, image)
+    , Points(this->InFrame, scene.twoSidedLighting)
+    , Light(scene, this->Frame.eye)
+    , Target(scene, image)
+    , Painter(this->Points, this->Light, this->Target)
     , Work(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
         settings.kernels)
   {
@@ -181,7 +183,9 @@ private:
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one a worker
   std::vector<const Bins*> FilledBins;
   const Casting Caster;
-  const Shader Shades;
+  const TrianglePoints Points;
+  const LightModel Light;
+  const Film Target;
   const Painting Painter;
   TileTasks Work;
   bool IsComplete = false;

@@ -65,7 +65,7 @@ private:
   {
     TileSamples rays;
     CastBatch triangles;
-    ShadeBatch pieces;
+    SampleBatch pieces;
   };
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int tile) const;

@@ -214,15 +214,15 @@ void addMesh(Random& random, RandomScene& scene, const Triangles& mesh, bool pre
   surface.corners = { corners, is64Bit, mesh.corners.size() };
   surface.pointNormals = { data->normals.data(), false, mesh.points.size() };
 
-  lambent::Material& material = surface.material;
-  material.diffuse = { random.unit(), random.unit(), random.unit() };
-  material.ambient = material.diffuse * random.within(0.0, 0.5);
-  material.color = material.diffuse;
-  material.shading = random.chance(6) ? lambent::Shading::Unlit
-    : random.chance(2)                ? lambent::Shading::Flat
-                                      : lambent::Shading::Smooth;
-  material.cullFront = random.chance(10);
-  material.cullBack = random.chance(10);
+  lambent::Appearance& appearance = surface.appearance;
+  appearance.diffuseColor = { random.unit(), random.unit(), random.unit() };
+  appearance.ambient = 1.0;
+  appearance.ambientColor = appearance.diffuseColor * random.within(0.0, 0.5);
+  appearance.shading = random.chance(6) ? lambent::Shading::Unlit
+    : random.chance(2)                  ? lambent::Shading::Flat
+                                        : lambent::Shading::Smooth;
+  appearance.cullFront = random.chance(10);
+  appearance.cullBack = random.chance(10);
   scene.scene.surfaces.push_back(surface);
   scene.meshes.push_back(std::move(data));
 }

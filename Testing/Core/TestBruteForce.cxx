@@ -3,9 +3,10 @@
 // Every picture is defined by brute force: each triangle against each ray. However
 // the rays are grouped, the triangles cut into chunks and the work shared among
 // threads, not one bit may differ from it, nor the triangle that a pixel shows.
+#include "LightModel.h"
 #include "RandomScenes.h"
 #include "Render.h"
-#include "Shading.h"
+#include "TrianglePoints.h"
 #include "ThreadedParallel.h"
 
 #include <gtest/gtest.h>
@@ -86,7 +87,8 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, random.width, random.height);
     const FrameMesh inFrame(mesh, frame);
-    const Shader shader(random.scene, inFrame);
+    const TrianglePoints points(inFrame, random.scene.twoSidedLighting);
+    const LightModel light(random.scene, frame.eye);
     const Picture picture = makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     for (int j = 0; j < random.height; ++j)
     {
@@ -105,8 +107,8 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
             }
             Hit hit;
             if (intersect(p[0], p[1], p[2], frame.x(i), frame.y(j), hit) && hit.depth < depth &&
-              !(surface.material.cullFront && hit.sum > 0.0) &&
-              !(surface.material.cullBack && hit.sum < 0.0))
+              !(surface.appearance.cullFront && hit.sum > 0.0) &&
+              !(surface.appearance.cullBack && hit.sum < 0.0))
             {
               depth = hit.depth;
               nearest = number;
@@ -115,8 +117,9 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
         }
         const Vec3 background = random.scene.background +
           (random.scene.backgroundTop - random.scene.background) * ((j + 0.5) / random.height);
-        const Vec3 expected =
-          nearest == noTriangle ? background : shader.color(nearest, frame.x(i), frame.y(j));
+        const Vec3 expected = nearest == noTriangle
+          ? background
+          : light.color(points.at(nearest, frame.x(i), frame.y(j)));
         hits += nearest != noTriangle;
         ASSERT_EQ(picture.triangles[j * random.width + i], nearest) << describe(seed, random);
         for (int channel = 0; channel < 3; ++channel)

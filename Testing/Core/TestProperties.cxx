@@ -101,7 +101,7 @@ RandomScene mirrored(RandomScene random)
   Scene& scene = random.scene;
   for (Surface& surface : scene.surfaces)
   {
-    std::swap(surface.material.cullFront, surface.material.cullBack);
+    std::swap(surface.appearance.cullFront, surface.appearance.cullBack);
   }
   for (Light& light : scene.lights)
   {
@@ -229,7 +229,7 @@ struct ExactScene
     Surface surface;
     surface.points = { mesh.doublePoints.data(), true, points.size() };
     surface.corners = { mesh.corners64.data(), true, points.size() };
-    surface.material.shading = Shading::Unlit;
+    surface.appearance.shading = Shading::Unlit;
     this->random.scene.surfaces.push_back(surface);
   }
 };

@@ -4,7 +4,7 @@
 // picture of floats would show a difference in that bit once in 500 million channels.
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
-#include "ShadeBatch.h"
+#include "SampleBatch.h"
 #include "ShadingKernel.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using namespace lambent;
 
 namespace
 {
-constexpr int width = 4 * ShadeBatch::pieceSize, height = 3;
+constexpr int width = 4 * SampleBatch::pieceSize, height = 3;
 constexpr double untouched = -7.0;
 
 /// Triangles one behind the other, each of which covers the view.
@@ -48,9 +48,10 @@ struct Sheets
     surface.points = { this->points.data(), true, 3u * count };
     surface.corners = { this->corners.data(), false, 3u * count };
     surface.pointNormals = { this->normals.data(), true, 3u * count };
-    surface.material.shading = shading;
-    surface.material.diffuse = this->random.inBox(0.5) + Vec3(0.5);
-    surface.material.ambient = this->random.inBox(0.5) + Vec3(0.5);
+    surface.appearance.shading = shading;
+    surface.appearance.diffuseColor = this->random.inBox(0.5) + Vec3(0.5);
+    surface.appearance.ambient = 1.0;
+    surface.appearance.ambientColor = this->random.inBox(0.5) + Vec3(0.5);
     this->scene.surfaces.push_back(surface);
     this->mesh = std::make_unique<SceneMesh>(this->scene.surfaces);
     this->inFrame = std::make_unique<FrameMesh>(*this->mesh, *this->frame);
@@ -109,7 +110,7 @@ struct Rays
 {
   std::vector<double> xs;
   double y;
-  ShadeBatch batch;
+  SampleBatch batch;
 
   Rays(Sheets& sheets, int row)
     : y(sheets.frame->y(row))
@@ -119,11 +120,11 @@ struct Rays
       this->xs.push_back(sheets.frame->x(i));
     }
     std::uint32_t triangle = 0; // for the light that lies on it
-    for (int piece = 0; piece < ShadeBatch::mostPieces; ++piece)
+    for (int piece = 0; piece < SampleBatch::mostPieces; ++piece)
     {
-      const int begin = piece * ShadeBatch::pieceSize;
-      const int size = ShadeBatch::pieceSize - (piece % 2) * sheets.random.below(20);
-      std::uint32_t hits[ShadeBatch::pieceSize];
+      const int begin = piece * SampleBatch::pieceSize;
+      const int size = SampleBatch::pieceSize - (piece % 2) * sheets.random.below(20);
+      std::uint32_t hits[SampleBatch::pieceSize];
       for (int i = 0; i < size; ++i)
       {
         hits[i] = triangle;
@@ -135,7 +136,7 @@ struct Rays
       }
       this->batch.add({ begin, row, size, this->xs.data() + begin, this->y }, hits);
     }
-    std::fill_n(this->batch.colors[0], 3 * ShadeBatch::places, untouched);
+    std::fill_n(this->batch.colors[0], 3 * SampleBatch::places, untouched);
     for (int run = 0; run < this->batch.runCount; ++run)
     {
       this->load(sheets.scene.surfaces[0], run);
@@ -153,8 +154,8 @@ struct Rays
     for (int corner = 0; corner < 3; ++corner)
     {
       const std::uint64_t point = surface.corners[3 * triangle + corner];
-      const Vec3 normal =
-        surface.isSmooth() ? surface.pointNormals[point] : Shader::faceNormal(surface, triangle);
+      const Vec3 normal = surface.isSmooth() ? surface.pointNormals[point]
+                                             : TrianglePoints::faceNormal(surface, triangle);
       for (int axis = 0; axis < 3; ++axis)
       {
         this->batch.points[3 * corner + axis][run] = surface.points[point][axis];
@@ -164,20 +165,21 @@ struct Rays
   }
 };
 
-void expectShadersColors(const Rays& rays, const Shader& shader)
+void expectColorsOf(const TrianglePoints& points, const LightModel& light, const Rays& rays)
 {
-  const ShadeBatch& batch = rays.batch;
-  for (int place = 0; place < batch.pieceCount * ShadeBatch::pieceSize; ++place)
+  const SampleBatch& batch = rays.batch;
+  for (int place = 0; place < batch.pieceCount * SampleBatch::pieceSize; ++place)
   {
-    const RayPiece& piece = batch.pieces[place / ShadeBatch::pieceSize];
-    const int i = place % ShadeBatch::pieceSize;
+    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
+    const int i = place % SampleBatch::pieceSize;
     const std::uint32_t triangle = batch.triangles[batch.run[place]];
     if (i >= piece.width)
     {
       continue;
     }
-    const Vec3 expected =
-      triangle == noTriangle ? Vec3(untouched) : shader.color(triangle, piece.xs[i], piece.y);
+    const Vec3 expected = triangle == noTriangle
+      ? Vec3(untouched)
+      : light.color(points.at(triangle, piece.xs[i], piece.y));
     for (int channel = 0; channel < 3; ++channel)
     {
       EXPECT_EQ(std::memcmp(&batch.colors[channel][place], &expected[channel], sizeof(double)), 0)
@@ -192,20 +194,24 @@ void compare(unsigned int seed, bool parallel, Shading shading)
   Sheets sheets(seed, parallel, shading);
   sheets.scene.twoSidedLighting = seed % 2 == 0;
   sheets.scene.ambientModel = seed % 3 == 0 ? AmbientModel::Scene : AmbientModel::PerLight;
-  const Shader shader(sheets.scene, *sheets.inFrame);
+  const TrianglePoints points(*sheets.inFrame, sheets.scene.twoSidedLighting);
+  const LightModel light(sheets.scene, sheets.frame->eye);
   for (int row = 0; row < height; ++row)
   {
     Rays rays(sheets, row);
-    const ShadeRange all{ 0, rays.batch.runCount, 0,
-      rays.batch.pieceCount * ShadeBatch::pieceSize };
-    const Surface& surface = sheets.scene.surfaces[0];
-    shadeHits(shader, surface.material, surface.isSmooth(), all, rays.batch);
-    expectShadersColors(rays, shader);
+    RunRange all;
+    all.endRun = rays.batch.runCount;
+    all.end = rays.batch.pieceCount * SampleBatch::pieceSize;
+    all.isSmooth = sheets.scene.surfaces[0].isSmooth();
+    all.hasGivenNormals = true;
+    all.appearance = &sheets.scene.surfaces[0].appearance;
+    shadeTriangles(points, light, all, rays.batch);
+    expectColorsOf(points, light, rays);
   }
 }
 }
 
-TEST(ShadingKernel, GivesTheShadersDoubles)
+TEST(ShadingKernel, GivesTheDoublesOfTheDefinition)
 {
   onAllTargets(
     []()

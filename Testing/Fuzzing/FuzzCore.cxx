@@ -98,12 +98,13 @@ struct MeshData
     {
       this->surface.cellNormals = this->cellNormals.span();
     }
-    Material& material = this->surface.material;
-    material.shading = static_cast<Shading>(input.choice(3));
-    material.cullFront = input.seldom();
-    material.cullBack = input.seldom();
-    material.diffuse = color(input);
-    material.ambient = color(input);
+    Appearance& appearance = this->surface.appearance;
+    appearance.shading = static_cast<Shading>(input.choice(3));
+    appearance.cullFront = input.seldom();
+    appearance.cullBack = input.seldom();
+    appearance.diffuseColor = color(input);
+    appearance.ambient = 1.0;
+    appearance.ambientColor = color(input);
   }
 };
 

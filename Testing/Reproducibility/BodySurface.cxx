@@ -20,11 +20,11 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   this->setPoints(body);
   this->setCells(body, parallel);
   this->Result.pointNormals = keep(body.pointNormals, this->PointNormals);
-  if (body.material.shading == lambent::Shading::Flat)
+  if (body.appearance.shading == lambent::Shading::Flat)
   {
     this->Result.cellNormals = keep(body.cellNormals, this->CellNormals);
   }
-  this->Result.material = body.material;
+  this->Result.appearance = body.appearance;
 }
 
 void BodySurface::setPoints(const Body& body)

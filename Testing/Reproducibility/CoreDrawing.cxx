@@ -14,7 +14,7 @@ namespace
 {
 bool lacksNormals(const Body& body)
 {
-  return body.material.shading == lambent::Shading::Smooth && body.pointNormals.empty();
+  return body.appearance.shading == lambent::Shading::Smooth && body.pointNormals.empty();
 }
 
 /// Bodies as surfaces, with the normals that smooth ones without any get.

@@ -4,21 +4,21 @@
 
 Body& Body::paint(const Vec3& diffuse, const Vec3& ambient)
 {
-  this->material.diffuse = diffuse;
-  this->material.color = diffuse;
-  this->material.ambient = ambient;
+  this->appearance.diffuseColor = diffuse;
+  this->appearance.ambient = 1.0;
+  this->appearance.ambientColor = ambient;
   return *this;
 }
 
 Body& Body::flat()
 {
-  this->material.shading = lambent::Shading::Flat;
+  this->appearance.shading = lambent::Shading::Flat;
   return *this;
 }
 
 Body& Body::unlit()
 {
-  this->material.shading = lambent::Shading::Unlit;
+  this->appearance.shading = lambent::Shading::Unlit;
   return *this;
 }
 

@@ -26,7 +26,7 @@ struct Body
   std::vector<Vec3> pointNormals; ///< one a point, or none
   std::vector<Vec3> cellNormals;  ///< one a cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
-  lambent::Material material;
+  lambent::Appearance appearance;
 
   /// Diffuse colour, which is also the plain one, and ambient colour.
   Body& paint(const Vec3& diffuse, const Vec3& ambient = Vec3(0.0));

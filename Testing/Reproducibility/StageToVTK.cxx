@@ -76,17 +76,19 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
   return result;
 }
 
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Material& material)
+vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
 {
   auto property = vtkSmartPointer<vtkProperty>::New();
-  property->SetDiffuse(1.0);
-  property->SetAmbient(1.0);
-  property->SetDiffuseColor(material.diffuse.x, material.diffuse.y, material.diffuse.z);
-  property->SetAmbientColor(material.ambient.x, material.ambient.y, material.ambient.z);
-  property->SetInterpolation(material.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
-  property->SetLighting(material.shading != lambent::Shading::Unlit);
-  property->SetFrontfaceCulling(material.cullFront);
-  property->SetBackfaceCulling(material.cullBack);
+  property->SetDiffuse(appearance.diffuse);
+  property->SetAmbient(appearance.ambient);
+  property->SetDiffuseColor(
+    appearance.diffuseColor.x, appearance.diffuseColor.y, appearance.diffuseColor.z);
+  property->SetAmbientColor(
+    appearance.ambientColor.x, appearance.ambientColor.y, appearance.ambientColor.z);
+  property->SetInterpolation(appearance.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
+  property->SetLighting(appearance.shading != lambent::Shading::Unlit);
+  property->SetFrontfaceCulling(appearance.cullFront);
+  property->SetBackfaceCulling(appearance.cullBack);
   return property;
 }
 

@@ -17,7 +17,7 @@ class vtkPolyData;
 class vtkProperty;
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Material& material);
+vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);
 
 /// Throws std::runtime_error if VTK, which has two points and no direction, cannot

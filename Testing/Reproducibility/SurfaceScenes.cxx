@@ -121,13 +121,13 @@ SceneList surfaceScenes()
       [](Stage& s)
       {
         s.daylight();
-        s.add(ball(3)).round().material.cullFront = true;
+        s.add(ball(3)).round().appearance.cullFront = true;
       } },
     { "surface-backs-culled",
       [](Stage& s)
       {
         s.daylight();
-        s.add(cylinder(5)).flat().material.cullBack = true;
+        s.add(cylinder(5)).flat().appearance.cullBack = true;
         s.look({ 1.0, 3.0, 2.5 }, Vec3(0.0));
       } },
     { "surface-quads", [](Stage& s) { boxes(s).flat(); } },

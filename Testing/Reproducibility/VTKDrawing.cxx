@@ -24,7 +24,7 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
 {
   for (Body& body : bodies)
   {
-    if (body.material.shading != lambent::Shading::Smooth || !body.pointNormals.empty())
+    if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty())
     {
       continue;
     }
@@ -48,7 +48,7 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
   for (const Body& body : prepared(stage.bodies, manner.shuffle))
   {
     tracer->AddInputDataObject(toPolyData(body));
-    tracer->SetInputProperty(input++, toProperty(body.material));
+    tracer->SetInputProperty(input++, toProperty(body.appearance));
   }
   if (input == 0)
   {

@@ -107,8 +107,8 @@ void Casting::add(std::uint32_t number, const Candidate& candidate, const Window
   }
   batch.triangles[batch.count] = number;
   batch.boxes[batch.count] = box;
-  batch.cullFront[batch.count] = candidate.surface->material.cullFront;
-  batch.cullBack[batch.count] = candidate.surface->material.cullBack;
+  batch.cullFront[batch.count] = candidate.surface->appearance.cullFront;
+  batch.cullBack[batch.count] = candidate.surface->appearance.cullBack;
   if (++batch.count == CastBatch::capacity)
   {
     this->flush(rays, batch);

@@ -15,13 +15,12 @@ namespace lambent
 struct FrameTriangle
 {
   FramePoint a, b, c;
-  bool cullFront, cullBack;
+  const Appearance& appearance;
 
   /// intersect() for the side of the triangle that is drawn.
   bool isHit(double x, double y, Hit& hit) const
   {
-    return intersect(this->a, this->b, this->c, x, y, hit) && !(this->cullFront && hit.sum > 0.0) &&
-      !(this->cullBack && hit.sum < 0.0);
+    return intersect(this->a, this->b, this->c, x, y, hit) && !this->appearance.isCulled(hit.sum);
   }
 };
 
@@ -44,8 +43,7 @@ public:
     const std::size_t first = 3 * (number - part.firstTriangle);
     const auto corner = [&](std::size_t k)
     { return this->Frame.toFrame(surface.points[surface.corners[first + k]]); };
-    return { corner(0), corner(1), corner(2), surface.material.cullFront,
-      surface.material.cullBack };
+    return { corner(0), corner(1), corner(2), *part.appearance };
   }
 
   /// The depth at which the ray through (x, y) hits a triangle, if it does.

@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief Shader::color() and toByte() for several rays at a time
+ * @brief the colours of the samples that hit triangles
  *
- * Lane by lane the arithmetic is theirs, in the same order, and so are the bits.
+ * For several samples at a time their surface points are found (VectorTrianglePoints.h) and
+ * lit (VectorLights.h), without leaving the registers in between.
  */
 #ifndef lambent_ShadingKernel_h
 #define lambent_ShadingKernel_h
 
-#include "ShadeBatch.h"
-#include "Shading.h"
+#include "LightModel.h"
+#include "SampleBatch.h"
+#include "TrianglePoints.h"
 
 namespace lambent
 {
-/// Fill in the colours of the rays whose runs are wanted; the points and normals of all runs
-/// of the range are there. smooth: there are normals at the corners, else one of the face.
-void shadeHits(const Shader& shader, const Material& material, bool smooth, const ShadeRange& range,
-  ShadeBatch& batch);
-
-/// Write the colours of a piece's rays as the bytes of its pixels.
-void storeBytes(const ShadeBatch& batch, int piece, unsigned char* pixels);
+/// Fill in the colours of the samples whose runs are wanted. The triangles of all runs of the
+/// range, and their reflection unless the range has one appearance, must have been loaded.
+void shadeTriangles(
+  const TrianglePoints& points, const LightModel& light, const RunRange& range, SampleBatch& batch);
 }
 
 #endif

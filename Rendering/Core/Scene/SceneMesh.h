@@ -19,33 +19,38 @@
 
 namespace lambent
 {
-/// The number of no triangle, and the most triangles that a scene can have.
-constexpr std::uint32_t noTriangle = 0xFFFFFFFFu;
-
 class SceneMesh
 {
 public:
   struct Part
   {
     const Surface* surface;
-    std::size_t firstTriangle;
+    /// That of the part before, where the two are equal, so that most can be told by address.
+    const Appearance* appearance;
+    std::size_t firstTriangle, triangleCount;
     std::size_t firstPoint;
 
     /// Whether a triangle, counted over all surfaces, is one of this part's.
     bool holds(std::size_t triangle) const
     {
-      return triangle - this->firstTriangle < this->surface->triangleCount();
+      return triangle - this->firstTriangle < this->triangleCount;
     }
   };
 
   explicit SceneMesh(const std::vector<Surface>& surfaces)
   {
+    this->Parts.reserve(surfaces.size());
     for (const Surface& surface : surfaces)
     {
-      this->Parts.push_back({ &surface, this->Triangles, this->Points });
+      const bool isAsBefore =
+        !this->Parts.empty() && surface.appearance.isSameAs(*this->Parts.back().appearance);
+      this->Parts.push_back(
+        { &surface, isAsBefore ? this->Parts.back().appearance : &surface.appearance,
+          this->Triangles, surface.triangleCount(), this->Points });
       this->Triangles += surface.triangleCount();
       this->Points += surface.points.size;
     }
+    this->indexParts();
   }
 
   std::size_t triangleCount() const { return this->Triangles; }
@@ -54,13 +59,18 @@ public:
   /// The part that holds a triangle.
   const Part& partOf(std::size_t triangle) const
   {
-    if (this->Parts.size() == 1)
+    const Part* part = &this->Parts[this->FirstParts[triangle >> this->Shift]];
+    while (!part->holds(triangle))
     {
-      return this->Parts.front();
+      ++part;
     }
-    return *(std::upper_bound(this->Parts.begin(), this->Parts.end(), triangle,
-               [](std::size_t t, const Part& part) { return t < part.firstTriangle; }) -
-      1);
+    return *part;
+  }
+
+  /// The number of a part among the scene's surfaces.
+  std::size_t numberOf(const Part& part) const
+  {
+    return static_cast<std::size_t>(&part - this->Parts.data());
   }
 
   /// Calls body(part, begin, end) for the pieces of [begin, end), counted over all
@@ -77,6 +87,25 @@ public:
   }
 
 private:
+  /// For each 2^Shift triangles the part that holds the first of them. There are about as many
+  /// as parts, so that a part is found in a few steps on average.
+  void indexParts()
+  {
+    while (this->Triangles >> this->Shift > 2 * this->Parts.size())
+    {
+      ++this->Shift;
+    }
+    std::uint32_t part = 0;
+    for (std::size_t first = 0; first < this->Triangles; first += std::size_t(1) << this->Shift)
+    {
+      while (!this->Parts[part].holds(first))
+      {
+        ++part;
+      }
+      this->FirstParts.push_back(part);
+    }
+  }
+
   template <typename Body>
   void forPieces(std::size_t begin, std::size_t end, std::size_t Part::*first, std::size_t total,
     Body&& body) const
@@ -98,6 +127,8 @@ private:
   }
 
   std::vector<Part> Parts;
+  std::vector<std::uint32_t> FirstParts;
+  int Shift = 0;
   std::size_t Triangles = 0;
   std::size_t Points = 0;
 };

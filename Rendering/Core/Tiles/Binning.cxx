@@ -48,7 +48,7 @@ void Binning::bin(
     memory.part = &part;
   }
   findBoxes(this->Positions + part.firstPoint, boxes);
-  const bool isCulled = surface.material.cullFront || surface.material.cullBack;
+  const bool isCulled = surface.appearance.cullFront || surface.appearance.cullBack;
   const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
   for (int k = 0; k < boxes.found; ++k)
   {

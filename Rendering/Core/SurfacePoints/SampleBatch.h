@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief some pieces of rows of rays, as the shading kernel wants them
+ * @brief some pieces of rows of samples, as the kernels for surface points and light take them
  *
  * Neighbours in a row often hit the same triangle, or nothing. What belongs to the
- * triangle is kept once for each run of rays that have it in common. Runs are numbered
+ * triangle is kept once for each run of samples that have it in common. Runs are numbered
  * on from piece to piece, without a gap.
  */
-#ifndef lambent_ShadeBatch_h
-#define lambent_ShadeBatch_h
+#ifndef lambent_SampleBatch_h
+#define lambent_SampleBatch_h
 
 #include "SceneMesh.h"
 
@@ -19,8 +19,8 @@
 
 namespace lambent
 {
-/// Some neighbouring rays of a row.
-struct RayPiece
+/// Some neighbouring samples of a row.
+struct SamplePiece
 {
   int i, j; ///< the pixel of the first, in the image's part
   int width;
@@ -28,35 +28,35 @@ struct RayPiece
   double y;
 };
 
-struct ShadeBatch
+struct SampleBatch
 {
   static constexpr int pieceSize = 32;
   static constexpr int mostPieces = 4;
-  /// Ray i of piece k has place k pieceSize + i.
+  /// Sample i of piece k has place k pieceSize + i.
   static constexpr int places = mostPieces * pieceSize;
   /// As many runs as places at the most; vectors may reach beyond the last.
   static constexpr int room = places + 8;
 
   int pieceCount = 0;
   int runCount = 0;
-  RayPiece pieces[mostPieces];
-  std::int64_t run[places]; ///< of each ray
+  SamplePiece pieces[mostPieces];
+  std::int64_t run[places]; ///< of each sample
 
-  /// Of each run: its triangle or none; 1 where the kernel shall shade it, 0 elsewhere;
-  /// the corners ax, ay, az, bx, ... in the world, then in the camera's frame; and the
-  /// normals at a, b, c, or that of the face.
-  std::uint32_t triangles[room];
-  double isWanted[room] = {};
-  double points[9][room] = {};
-  double normals[9][room] = {};
+  // Of each run.
+  std::uint32_t triangles[room]; ///< or noTriangle
+  const SceneMesh::Part* parts[room];
+  double isWanted[room] = {};   ///< 1 where the kernel shall shade it, 0 elsewhere
+  double points[9][room] = {};  ///< corners ax, ay, az, bx, ... in the world, then in the frame
+  double normals[9][room] = {}; ///< at a, b, c, or that of the face
+  double reflection[6][room];   ///< diffuse, ambient; not where all of a range have the same
 
-  /// Of each ray: red, green and blue.
+  /// Of each sample: red, green and blue.
   double colors[3][places];
 
   bool isFull() const { return this->pieceCount == mostPieces; }
 
-  /// Take up a piece with the triangles that its rays hit; not if they all hit nothing.
-  bool add(const RayPiece& piece, const std::uint32_t* hits)
+  /// Add a piece with the triangles that its rays hit; false if they all hit nothing.
+  bool add(const SamplePiece& piece, const std::uint32_t* hits)
   {
     std::uint32_t differences = 0;
     for (int i = 0; i < piece.width; ++i)
@@ -87,11 +87,16 @@ struct ShadeBatch
   void clear() { this->pieceCount = this->runCount = 0; }
 };
 
-/// Runs that hit one surface, or nothing, and the places of their rays.
-struct ShadeRange
+/// Runs that are shaded alike, and the places of their samples.
+struct RunRange
 {
   int firstRun = 0, endRun = 0;
   int first = 0, end = 0;
+  bool isUnlit = false;
+  bool isSmooth = false;                  ///< normals at the corners, else one of the face
+  bool hasGivenNormals = false;           ///< not just those of the triangles' geometry
+  const SceneMesh::Part* part = nullptr;  ///< if it is the same for all
+  const Appearance* appearance = nullptr; ///< if it is the same for all
 };
 }
 

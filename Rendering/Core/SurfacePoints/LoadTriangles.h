@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief fetch the corners and normals of the triangles that samples hit
+ */
+#ifndef lambent_LoadTriangles_h
+#define lambent_LoadTriangles_h
+
+#include "SampleBatch.h"
+
+namespace lambent
+{
+/// Fill in isWanted, points and normals of the runs of a range.
+void loadTriangles(const RunRange& range, SampleBatch& batch);
+}
+
+#endif

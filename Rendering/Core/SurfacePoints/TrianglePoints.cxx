@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TrianglePoints.h"
+
+namespace lambent
+{
+SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
+{
+  const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
+  Hit hit{};
+  this->Mesh.triangle(number).isHit(x, y, hit);
+  return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
+    this->normal(*part.surface, number - part.firstTriangle, hit), part.appearance };
+}
+
+Vec3 TrianglePoints::normal(const Surface& surface, std::size_t triangle, const Hit& hit) const
+{
+  const bool isBack = hit.sum < 0.0;
+  const bool isTurned = this->TwoSided && isReversed(surface, triangle);
+  const auto turned = [isTurned](const Vec3& m) { return isTurned ? -m : m; };
+  if (surface.isSmooth())
+  {
+    const auto normal = [&](std::size_t corner)
+    { return turned(surface.pointNormals[surface.normalsOfCorners()[3 * triangle + corner]]); };
+    // Turned already on the back.
+    const Vec3 m = (normal(0) * hit.e0 + normal(1) * hit.e1) + normal(2) * hit.e2;
+    return isBack && !this->TwoSided ? -m : m;
+  }
+  const Vec3 m = turned(faceNormal(surface, triangle));
+  return isBack && this->TwoSided ? -m : m;
+}
+
+bool TrianglePoints::isReversed(const Surface& surface, std::size_t triangle)
+{
+  const auto point = [&](std::size_t corner)
+  { return surface.points[surface.corners[3 * triangle + corner]]; };
+  const auto normal = [&](std::size_t corner)
+  { return surface.pointNormals[surface.normalsOfCorners()[3 * triangle + corner]]; };
+  const Vec3 given =
+    surface.isSmooth() ? (normal(0) + normal(1)) + normal(2) : faceNormal(surface, triangle);
+  return dot(cross(point(1) - point(0), point(2) - point(0)), given) < 0.0;
+}
+
+Vec3 TrianglePoints::faceNormal(const Surface& surface, std::size_t triangle)
+{
+  if (surface.cellNormals)
+  {
+    return surface.cellNormals[surface.cellOf(triangle)];
+  }
+  const Vec3 a = surface.points[surface.corners[3 * triangle]];
+  const Vec3 b = surface.points[surface.corners[3 * triangle + 1]];
+  const Vec3 c = surface.points[surface.corners[3 * triangle + 2]];
+  return cross(b - a, c - a);
+}
+}

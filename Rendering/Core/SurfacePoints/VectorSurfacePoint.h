@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief surface points of several samples, and what belongs to their runs
+ *
+ * Included once for each target, hence the toggled guard.
+ */
+#if defined(lambent_VectorSurfacePoint_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef lambent_VectorSurfacePoint_h
+#undef lambent_VectorSurfacePoint_h
+#else
+#define lambent_VectorSurfacePoint_h
+#endif
+
+#include "SampleBatch.h"
+#include "VectorTriples.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+/// A SurfacePoint in each lane.
+struct VectorSurfacePoint
+{
+  Vector3 position;
+  V depth;
+  Vector3 normal;
+};
+
+/// What belongs to the runs of some samples, from arrays with a value for each run. Runs are
+/// numbered in a row, so all that the samples of a vector can need is side by side.
+class Runs
+{
+public:
+  explicit Runs(const std::int64_t* run)
+    : First(run[0])
+    , Places(hn::IndicesFromVec(d, hn::Sub(hn::LoadU(di, run), hn::Set(di, run[0]))))
+  {
+  }
+
+  V operator()(const double* values) const
+  {
+    return hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places);
+  }
+  Vector3 operator()(const double (*values)[SampleBatch::room]) const
+  {
+    return { (*this)(values[0]), (*this)(values[1]), (*this)(values[2]) };
+  }
+
+private:
+  static constexpr hn::RebindToSigned<D> di{};
+  std::int64_t First;
+  decltype(hn::IndicesFromVec(d, hn::Zero(di))) Places;
+};
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+#endif
