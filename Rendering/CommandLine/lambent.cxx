@@ -132,7 +132,8 @@ std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
   std::error_code error;
   if (!baseline.empty() && std::filesystem::exists(baseline, error))
   {
-    const int* const size = ReadPicture(baseline, messages)->GetDimensions();
+    const auto picture = ReadPicture(baseline, messages); // which the dimensions belong to
+    const int* const size = picture->GetDimensions();
     return { size[0], size[1] };
   }
   return { 1920, 1080 };
