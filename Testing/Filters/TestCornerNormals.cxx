@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
@@ -111,6 +112,72 @@ TEST(CornerNormals, EqualDefinitionOnLargePolygons)
   top.insert(top.begin() + 30, 1); // the point once more, from elsewhere
   prism.faces.insert(prism.faces.end(), { top, bottom, three });
   expectDefinition(prism, { 5.0, 30.0, 80.0, 95.0, 180.0 });
+}
+
+// Rings of ids, some periodic but for a little, against all their rotations.
+TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
+{
+  for (const int period : { 1, 3, 5, 7 })
+  {
+    for (const int repeats : { 3, 6, 9 })
+    {
+      PolygonMesh mesh;
+      std::vector<std::int64_t> ring;
+      for (int i = 0; i < 2 * period + 4; ++i)
+      {
+        mesh.points.emplace_back(std::cos(0.4 * i), std::sin(0.4 * i), 0.05 * (i % 4));
+      }
+      for (int k = 0; k < period * repeats; ++k)
+      {
+        ring.push_back(k % period);
+      }
+      for (const std::int64_t apex : { period, period + 1 }) // twice the same, but for one point
+      {
+        auto face = ring;
+        face.insert(face.end(), { apex, period + 2, 0, 1 % period });
+        mesh.faces.push_back(face);
+        std::rotate(face.begin(), face.begin() + period + 1, face.end());
+        mesh.faces.emplace_back(face.rbegin(), face.rend());
+      }
+      SCOPED_TRACE(std::to_string(repeats) + " times " + std::to_string(period));
+      expectDefinition(mesh, { 30.0, 180.0 });
+    }
+  }
+}
+
+// Two faces of many corners meet at all of them, several times at each. Comparing them anew at
+// each corner, or at each rotation, took minutes.
+TEST(CornerNormals, PeriodicPolygonsTakeLittleTime)
+{
+  constexpr int period = 1250, repeats = 16;
+  PolygonMesh mesh;
+  std::vector<std::int64_t> ring;
+  for (int i = 0; i < period; ++i)
+  {
+    const double turn = 6.283185307179586 * i / period;
+    mesh.points.emplace_back(std::cos(turn), std::sin(turn), 0.1 * std::cos(9.0 * turn));
+  }
+  mesh.points.insert(mesh.points.end(), 2, Vec3(1.0, 0.0, 0.0));
+  for (int k = 0; k < period * repeats; ++k)
+  {
+    ring.push_back(k % period);
+  }
+  for (const std::int64_t last : { period, period + 1 }) // the first time they are opposite
+  {
+    std::vector<std::int64_t> front = ring, back = ring;
+    front.push_back(period);
+    back.push_back(last);
+    mesh.faces = { front, { back.rbegin(), back.rend() } };
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<float> normals = computed(mesh, 180.0);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    EXPECT_LT(seconds.count(), 2.0); // 0.02 on any machine of today
+    for (std::size_t corner = 0; corner < front.size(); ++corner)
+    {
+      EXPECT_GT(normals[3 * corner + 2], 0.5);
+      EXPECT_LT(normals[3 * (front.size() + corner) + 2], -0.5);
+    }
+  }
 }
 
 // Pages that share their spine, an edge of as many faces.
