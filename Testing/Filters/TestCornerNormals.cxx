@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
@@ -141,41 +140,6 @@ TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
       }
       SCOPED_TRACE(std::to_string(repeats) + " times " + std::to_string(period));
       expectDefinition(mesh, { 30.0, 180.0 });
-    }
-  }
-}
-
-// Two faces of many corners meet at all of them, several times at each. Comparing them anew at
-// each corner, or at each rotation, took minutes.
-TEST(CornerNormals, PeriodicPolygonsTakeLittleTime)
-{
-  constexpr int period = 1250, repeats = 16;
-  PolygonMesh mesh;
-  std::vector<std::int64_t> ring;
-  for (int i = 0; i < period; ++i)
-  {
-    const double turn = 6.283185307179586 * i / period;
-    mesh.points.emplace_back(std::cos(turn), std::sin(turn), 0.1 * std::cos(9.0 * turn));
-  }
-  mesh.points.insert(mesh.points.end(), 2, Vec3(1.0, 0.0, 0.0));
-  for (int k = 0; k < period * repeats; ++k)
-  {
-    ring.push_back(k % period);
-  }
-  for (const std::int64_t last : { period, period + 1 }) // the first time they are opposite
-  {
-    std::vector<std::int64_t> front = ring, back = ring;
-    front.push_back(period);
-    back.push_back(last);
-    mesh.faces = { front, { back.rbegin(), back.rend() } };
-    const auto begin = std::chrono::steady_clock::now();
-    const std::vector<float> normals = computed(mesh, 180.0);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    EXPECT_LT(seconds.count(), 2.0); // 0.02 on any machine of today
-    for (std::size_t corner = 0; corner < front.size(); ++corner)
-    {
-      EXPECT_GT(normals[3 * corner + 2], 0.5);
-      EXPECT_LT(normals[3 * (front.size() + corner) + 2], -0.5);
     }
   }
 }
@@ -313,35 +277,6 @@ TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
       EXPECT_NEAR(normals[i], i % 3 == 2 ? 0.0 : point[static_cast<int>(i % 3)], 1e-6) << start;
     }
   }
-}
-
-TEST(CornerNormals, SmoothMeshesNeedNoNumbers)
-{
-  const PolygonMesh sheet = makeSheet(20, [](double x, double y) { return 0.2 * x * y; });
-  std::vector<double> points;
-  std::vector<std::int64_t> offsets(1, 0), corners;
-  for (const Vec3& p : sheet.points)
-  {
-    points.insert(points.end(), { p.x, p.y, p.z });
-  }
-  for (const auto& face : sheet.faces)
-  {
-    corners.insert(corners.end(), face.begin(), face.end());
-    offsets.push_back(static_cast<std::int64_t>(corners.size()));
-  }
-  lambent::Faces faces;
-  faces.points = { points.data(), true, sheet.points.size() };
-  faces.cells = { { offsets.data(), true, offsets.size() },
-    { corners.data(), true, corners.size() } };
-  faces.blocks = checkCells(faces.cells, faces.points.size, lambent::Parallel()).blocks;
-  const auto normals = lambent::computeCornerNormals(faces, 30.0, lambent::Parallel());
-  EXPECT_FALSE(normals.numbers);
-  EXPECT_EQ(normals.count, sheet.points.size());
-  std::vector<float> ofPoints(3 * sheet.points.size());
-  lambent::computePointNormals(
-    faces, lambent::Weighting::Angle, 1.0f, lambent::Parallel(), ofPoints.data());
-  EXPECT_EQ(
-    std::vector<float>(normals.normals.get(), normals.normals.get() + ofPoints.size()), ofPoints);
 }
 
 // vtkPolyDataNormals gives each group of corners that go together a copy of the point.
