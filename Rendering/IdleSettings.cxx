@@ -9,11 +9,18 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
+
+#include <unordered_map>
+#include <utility>
 
 namespace
 {
 using Messages = std::vector<std::string>;
+
+constexpr double defaultFeatureAngle = 30.0; // degrees
 
 /// `whose` begins the message.
 void addProperty(Messages& messages, const std::string& whose, vtkProperty* property)
@@ -49,21 +56,88 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "SetTexture() has no effect. Call SetColor(), and RemoveAllTextures().");
 }
 
+/// Names the inputs in a few words, however many they are.
+std::string nameInputs(const std::vector<int>& inputs)
+{
+  const std::size_t others = inputs.size() - 1;
+  return "Input " + std::to_string(inputs.front()) +
+    (others > 0 ? " and " + std::to_string(others) + " more" : "");
+}
+
+/// Each property once, however many inputs share it.
 void addProperties(Messages& messages, vtkLambentRayTracer* filter)
 {
+  vtkProperty* const common = filter->GetProperty();
   bool isCommonUsed = false;
+  std::vector<std::pair<vtkProperty*, std::vector<int>>> users; // by the first input of each
+  std::unordered_map<vtkProperty*, std::size_t> placeOf;
   for (int k = 0; k < filter->GetNumberOfInputConnections(0); ++k)
   {
     vtkProperty* const own = filter->GetInputProperty(k);
-    isCommonUsed = isCommonUsed || !own;
-    if (own)
+    isCommonUsed = isCommonUsed || !own || own == common;
+    if (own && own != common)
     {
-      addProperty(messages, "Input " + std::to_string(k) + ":", own);
+      const auto [place, isNew] = placeOf.emplace(own, users.size());
+      if (isNew)
+      {
+        users.emplace_back(own, std::vector<int>());
+      }
+      users[place->second].second.push_back(k);
     }
   }
-  if (isCommonUsed && filter->GetProperty())
+  for (const auto& [property, inputs] : users)
   {
-    addProperty(messages, "The property of all inputs:", filter->GetProperty());
+    addProperty(messages, nameInputs(inputs) + ":", property);
+  }
+  if (isCommonUsed && common)
+  {
+    addProperty(messages, "The property of all inputs:", common);
+  }
+}
+
+/// Why no normals are computed, and what to do; empty if there are some, or nothing is drawn.
+std::string whyNoNormalsAreComputed(
+  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
+{
+  bool isAnyDrawn = false, isAnySmooth = false;
+  for (int k = 0; k < static_cast<int>(inputs.size()); ++k)
+  {
+    if (inputs[k]->GetNumberOfPolys() + inputs[k]->GetNumberOfStrips() == 0)
+    {
+      continue;
+    }
+    vtkProperty* const own = filter->GetInputProperty(k);
+    const bool isSmooth =
+      materialFromVTK(own ? own : filter->GetProperty()).shading == lambent::Shading::Smooth;
+    if (isSmooth && !(filter->GetUsePointNormals() && inputs[k]->GetPointData()->GetNormals()))
+    {
+      return "";
+    }
+    isAnyDrawn = true;
+    isAnySmooth = isAnySmooth || isSmooth;
+  }
+  return !isAnyDrawn ? ""
+    : isAnySmooth
+    ? "every input that is shaded smooth has point normals of its own. Call UsePointNormalsOff(), "
+      "so that normals are computed"
+    : "no input is lit and shaded smooth. Call vtkProperty::LightingOn() and "
+      "SetInterpolationToPhong()";
+}
+
+void addNormalSettings(
+  Messages& messages, vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
+{
+  const bool isAngleSet = filter->GetFeatureAngle() != defaultFeatureAngle;
+  const bool isSplittingOff = !filter->GetSplitting();
+  const std::string reason =
+    isAngleSet || isSplittingOff ? whyNoNormalsAreComputed(filter, inputs) : "";
+  if (!reason.empty() && isAngleSet)
+  {
+    messages.push_back("SetFeatureAngle() has no effect: " + reason + ", or set it back to 30.");
+  }
+  if (!reason.empty() && isSplittingOff)
+  {
+    messages.push_back("SplittingOff() has no effect: " + reason + ", or call SplittingOn().");
   }
 }
 
@@ -93,7 +167,8 @@ void addLights(Messages& messages, vtkLambentRayTracer* filter)
 }
 }
 
-std::vector<std::string> findIdleSettings(vtkLambentRayTracer* filter)
+std::vector<std::string> findIdleSettings(
+  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
 {
   Messages messages;
   if (filter->GetCamera())
@@ -106,6 +181,7 @@ std::vector<std::string> findIdleSettings(vtkLambentRayTracer* filter)
     }
   }
   addProperties(messages, filter);
+  addNormalSettings(messages, filter, inputs);
   addLights(messages, filter);
   return messages;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief settings of VTK's objects that were changed from their defaults and have no effect
+ * @brief settings that were changed from their defaults and have no effect
  *
  * Each message names the setting and what to do instead.
  */
@@ -13,8 +13,11 @@
 #include <vector>
 
 class vtkLambentRayTracer;
+class vtkPolyData;
 
-/// Of the camera, the lights and the properties that are in use.
-std::vector<std::string> findIdleSettings(vtkLambentRayTracer* filter);
+/// Of the camera, the lights, the properties that are in use, and how the filter is to compute
+/// normals. An input for each connection.
+std::vector<std::string> findIdleSettings(
+  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs);
 
 #endif

@@ -310,7 +310,7 @@ void vtkLambentRayTracer::MakePicture(
   {
     meshes.push_back(vtkPolyData::GetData(inputs, k));
   }
-  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(this)))
+  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(this, meshes)))
   {
     vtkWarningMacro(<< warning);
   }

@@ -61,7 +61,8 @@
  * and ambient colours and coefficients, Interpolation, Lighting, FrontfaceCulling
  * and BackfaceCulling are used; wireframe, points, opacity, specular terms,
  * textures and edges are not. Settings that have no effect cause a warning, once
- * for as long as they stay. Shading multiplies up to six lengths, so
+ * for as long as they stay; FeatureAngle and Splitting if they are changed though no
+ * input needs computed normals. Shading multiplies up to six lengths, so
  * coordinates and distances must lie between about 1e-50 and 1e50.
  *
  * @par Thanks:

@@ -6,8 +6,9 @@
 #include "CornerRange.h"
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,36 @@ void grow(CornerNormals& normals, std::size_t room, std::size_t count, const Par
     { std::copy(few + 3 * begin, few + 3 * end, all.get() + 3 * begin); });
   normals.normals = std::move(all);
 }
+
+/// Gives up at the first checkpoint at which there are too many normals. The points without
+/// further ones may be more than `most`: they need no numbers.
+class LimitedWork : public Share
+{
+public:
+  LimitedWork(const Share& whole, std::size_t points, const std::atomic<std::size_t>& further,
+    std::size_t most)
+    : Share(whole)
+    , Points(points)
+    , Further(further)
+    , Most(most)
+  {
+  }
+
+  void checkpoint(double done) const override
+  {
+    if (this->Further > 0 && this->Points + this->Further > this->Most)
+    {
+      throw std::runtime_error("there would be more than " + std::to_string(this->Most) +
+        " normals. Compute them with vtkLambentNormals, or draw the mesh in parts.");
+    }
+    Share::checkpoint(done);
+  }
+
+private:
+  const std::size_t Points;
+  const std::atomic<std::size_t>& Further;
+  const std::size_t Most;
+};
 
 template <typename Cells>
 std::unique_ptr<std::int32_t[]> numberCorners(const Faces& faces, const Cells& cells,
@@ -53,7 +84,7 @@ std::unique_ptr<std::int32_t[]> numberCorners(const Faces& faces, const Cells& c
 }
 
 CornerNormals computeCornerNormals(
-  const Faces& faces, double featureAngle, const Parallel& parallel)
+  const Faces& faces, double featureAngle, const Parallel& parallel, std::size_t most)
 {
   const double largestAngle = std::min(featureAngle + featureAngleMargin, 180.0);
   CornerNormals result;
@@ -63,12 +94,15 @@ CornerNormals computeCornerNormals(
   result.normals.reset(new float[3 * room]);
   const PointRanges ranges(faces.blocks, faces.points.size, parallel.workers());
   std::vector<FurtherNormals> further(ranges.count());
+  std::atomic<std::size_t> furtherCount{ 0 };
+  const LimitedWork work(Share(parallel, 0.0, 0.9), result.count, furtherCount, most);
   visit(faces.points, faces.cells,
     [&](auto points, auto cells)
     {
       using Task = CornerRange<decltype(points), decltype(cells)>;
-      const Task task(faces, points, cells, largestAngle, result.normals.get(), further);
-      RangeWalks<Task>(ranges, task, Share(parallel, 0.0, 0.9)).run();
+      const Task task(
+        faces, points, cells, largestAngle, result.normals.get(), further, furtherCount);
+      RangeWalks<Task>(ranges, task, work).run();
 
       std::vector<std::size_t> first(1, result.count);
       bool areAllOfPoints = true;
@@ -80,11 +114,6 @@ CornerNormals computeCornerNormals(
       if (areAllOfPoints)
       {
         return;
-      }
-      if (first.back() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-      {
-        throw std::runtime_error("there would be more than 2147483647 normals. Compute them with "
-                                 "vtkLambentNormals, or draw the mesh in parts.");
       }
       grow(result, room, first.back(), Share(parallel, 0.9, 0.93));
       for (std::size_t i = 0; i < further.size(); ++i)

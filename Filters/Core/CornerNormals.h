@@ -43,6 +43,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace lambent
@@ -62,10 +63,13 @@ struct CornerNormals
   std::unique_ptr<std::int32_t[]> numbers;
 };
 
-/// Feature angle in degrees, 0 to 180. Throws std::runtime_error where there would be more
-/// than 2^31 - 1 normals.
-CornerNormals computeCornerNormals(
-  const Faces& faces, double featureAngle, const Parallel& parallel);
+/// What numbers of 32 bits can tell apart.
+constexpr std::size_t mostCornerNormals = std::numeric_limits<std::int32_t>::max();
+
+/// Feature angle in degrees, 0 to 180. Throws std::runtime_error as soon as there are more
+/// normals than `most` (tests take fewer) and corners that need numbers.
+CornerNormals computeCornerNormals(const Faces& faces, double featureAngle,
+  const Parallel& parallel, std::size_t most = mostCornerNormals);
 }
 
 #endif

@@ -17,6 +17,7 @@
 #include "VectorTarget.h"
 
 #include <algorithm>
+#include <atomic>
 #include <vector>
 
 namespace lambent
@@ -46,12 +47,13 @@ class CornerRange
 {
 public:
   CornerRange(const Faces& faces, const Points& points, const Cells& cells, double largestAngle,
-    float* normals, std::vector<FurtherNormals>& results)
+    float* normals, std::vector<FurtherNormals>& results, std::atomic<std::size_t>& resultCount)
     : AllFaces(faces)
     , AllPoints(points)
     , AllCells(cells)
     , Normals(normals)
     , Results(results)
+    , ResultCount(resultCount)
     , Range(cosineOfHalf(largestAngle))
     , Solver(points, cells, largestAngle)
   {
@@ -295,6 +297,7 @@ private:
   {
     const std::size_t begin = step * pointsPerStep;
     const std::size_t end = std::min(this->Creased.size(), begin + pointsPerStep);
+    const std::size_t before = this->Result->normals.size();
     for (std::size_t k = begin; k < end; ++k)
     {
       const Corner* const corners = this->Corners.data() + this->First[k];
@@ -307,6 +310,7 @@ private:
         this->store(point, corners, count);
       }
     }
+    this->ResultCount += (this->Result->normals.size() - before) / 3;
     return 4 * (this->First[end] - this->First[begin]); // each takes as long as some faces
   }
 
@@ -344,6 +348,7 @@ private:
   const Cells& AllCells;
   float* const Normals;
   std::vector<FurtherNormals>& Results;
+  std::atomic<std::size_t>& ResultCount; ///< the normals of all ranges so far
   const bool UseKernels = areVectorsInUse();
 
   PointSums Sums;

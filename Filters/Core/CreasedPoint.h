@@ -13,11 +13,11 @@
 #include "DisjointSets.h"
 #include "Elementary.h"
 #include "NormalContribution.h"
+#include "OppositePolygons.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,6 +46,7 @@ public:
   CreasedPoint(const Points& points, const Cells& cells, double largestAngle)
     : AllPoints(points)
     , AllCells(cells)
+    , Opposites(cells)
     , Cosine(cosDegrees(largestAngle))
     , AnyAngleIsSmooth(largestAngle >= 180.0)
   {
@@ -176,32 +177,11 @@ private:
     }
   }
 
-  bool areLinked(int a, int b) const
+  bool areLinked(int a, int b)
   {
     const bool isSmooth =
       this->AnyAngleIsSmooth || dot(this->FaceNormals[a], this->FaceNormals[b]) >= this->Cosine;
-    return isSmooth && !this->areOpposite(this->face(a), this->face(b));
-  }
-
-  bool areOpposite(std::int64_t faceA, std::int64_t faceB) const
-  {
-    const auto size = static_cast<std::ptrdiff_t>(this->AllCells.cellSize(faceA));
-    if (static_cast<std::ptrdiff_t>(this->AllCells.cellSize(faceB)) != size)
-    {
-      return false;
-    }
-    const auto* const a = this->AllCells.cell(faceA);
-    const auto* const b = this->AllCells.cell(faceB);
-    for (std::ptrdiff_t first = 0; first < size; ++first)
-    {
-      const std::reverse_iterator rotated(b + first), end(b);
-      if (a[0] == b[first > 0 ? first - 1 : size - 1] && std::equal(rotated, end, a) &&
-        std::equal(std::reverse_iterator(b + size), rotated, a + first))
-      {
-        return true;
-      }
-    }
-    return false;
+    return isSmooth && !this->Opposites.areOpposite(this->face(a), this->face(b));
   }
 
   static constexpr double leastPart = 1.0 / (1 << 20);
@@ -304,6 +284,7 @@ private:
 
   const Points& AllPoints;
   const Cells& AllCells;
+  OppositePolygons<Cells> Opposites;
   const double Cosine;
   const bool AnyAngleIsSmooth;
   const FaceWithArea* Faces = nullptr;

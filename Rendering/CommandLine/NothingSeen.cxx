@@ -56,51 +56,86 @@ bool IsBlack(const Triple& color)
   return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
 }
 
-/// True if the scene, drawn so and before a black background, is all black.
-bool IsAllBlack(Options options, const Meshes& meshes)
+/// The scene, drawn so and before a black background.
+vtkSmartPointer<vtkImageData> DrawOnBlack(Options options, const Meshes& meshes)
 {
   options.background = { 0, 0, 0 };
   const auto tracer = MakeScene(options, meshes);
   tracer->Update();
-  return HasOnly(tracer->GetOutput(), Black, Black);
+  return tracer->GetOutput();
 }
 
-/// True if a pixel shows a face, of whatever colour.
-bool IsAnythingHit(Options options, const Meshes& meshes)
+bool IsAllBlack(vtkImageData* picture)
+{
+  return HasOnly(picture, Black, Black);
+}
+
+/// White where a face is seen, of whatever colour, and black elsewhere.
+vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
 {
   options.shading = Shading::Unlit;
   options.color = { 1, 1, 1 };
-  return !IsAllBlack(options, meshes);
+  return DrawOnBlack(options, meshes);
+}
+
+/// True if a picture is black wherever a face is seen.
+bool IsBlackWhereHit(vtkImageData* picture, vtkImageData* hits)
+{
+  const auto* const colors =
+    vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const auto* const mask = vtkUnsignedCharArray::SafeDownCast(hits->GetPointData()->GetScalars());
+  for (vtkIdType k = 0; k < mask->GetNumberOfValues(); ++k)
+  {
+    if (mask->GetValue(k) != 0 && colors->GetValue(k) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// An experiment: what is changed in the scene, and what is the matter if that makes it light.
 struct Experiment
 {
-  std::function<void(Options&, LightValue&)> change;
+  /// False if that is how the scene is anyway.
+  std::function<bool(Options&, LightValue&)> change;
   const char* reason;
 };
+
+template <typename Value>
+bool Set(Value& value, const Value& wanted)
+{
+  const bool isChange = value != wanted;
+  value = wanted;
+  return isChange;
+}
+
+bool IsLamp(const LightValue& light)
+{
+  return light.kind == LightValue::Kind::Positional;
+}
 
 /// In this order; each goes on from those before it.
 const std::vector<Experiment>& Experiments()
 {
   static const std::vector<Experiment> experiments{
-    { [](Options&, LightValue& light) { light.cone = 180; },
+    { [](Options&, LightValue& light) { return IsLamp(light) && Set(light.cone, 180.0); },
       "no face in it lies in the cone of a light; try a wider cone or another focal point in "
       "--light" },
     { [](Options&, LightValue& light) {
-       light.attenuation = { 1, 0, 0 };
+       return IsLamp(light) && Set(light.attenuation, Triple{ 1, 0, 0 });
      },
       "the lights are too far away for their attenuation; try a smaller one in --light" },
-    { [](Options&, LightValue& light) { light.intensity = 1e6; },
+    { [](Options&, LightValue& light) { return Set(light.intensity, 1e6); },
       "the light in it is too weak to show; try a larger intensity in --light" },
-    { [](Options&, LightValue& light) { light.kind = LightValue::Kind::Headlight; },
+    { [](Options&, LightValue& light) { return Set(light.kind, LightValue::Kind::Headlight); },
       "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2" },
     { [](Options&, LightValue& light) {
-       light.color = { 1, 1, 1 };
+       return Set(light.color, Triple{ 1, 1, 1 });
      },
       "the light in it has none of the colours that the faces reflect; try another --color, or "
       "another color in --light" },
-    { [](Options& options, LightValue&) { options.shading = Shading::Flat; },
+    { [](Options& options, LightValue&) { return Set(options.shading, Shading::Flat); },
       "the normals of the mesh point away from the light, or are none; try --shading flat" },
   };
   return experiments;
@@ -126,11 +161,12 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
   }
   for (const Experiment& experiment : Experiments())
   {
+    bool isChange = false;
     for (LightValue& light : options.lights)
     {
-      experiment.change(options, light);
+      isChange = experiment.change(options, light) || isChange;
     }
-    if (!IsAllBlack(options, meshes))
+    if (isChange && !IsAllBlack(DrawOnBlack(options, meshes)))
     {
       return experiment.reason;
     }
@@ -148,13 +184,14 @@ std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkIm
     return "";
   }
   const std::string nothing = "the picture shows nothing: ";
-  if (!IsAnythingHit(options, meshes))
+  const auto hits = DrawHits(options, meshes);
+  if (IsAllBlack(hits))
   {
     const auto tracer = MakeScene(options, meshes);
     const std::string reason = WhyNothingIsHit(options, meshes, tracer->GetCamera());
     return reason.empty() ? "" : nothing + reason;
   }
-  if (IsAllBlack(options, meshes))
+  if (IsBlackWhereHit(picture, hits))
   {
     return (background == Black ? nothing : "the picture shows black only: ") +
       WhyAllIsBlack(options, meshes);

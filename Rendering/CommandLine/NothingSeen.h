@@ -6,8 +6,9 @@
  *
  * A picture shows something as soon as a pixel is neither black nor of the background's
  * colour; that is found at once. Otherwise the scene is drawn again, first all white and
- * unlit, to see whether a face is hit at all; then with one property of the lights changed
- * after the other, until something shows: that property is the matter.
+ * unlit, to see where a face is hit at all; then with one property of the lights changed
+ * after the other, until something shows: that property is the matter. A property that has the
+ * value already is passed over.
  */
 
 #ifndef NothingSeen_h

@@ -85,7 +85,7 @@ struct Options
   std::vector<LightValue> lights; ///< none: a headlight
 
   Shading shading = Shading::Smooth;
-  double featureAngle = 30; ///< degrees; edges sharper than that stay sharp
+  std::optional<double> featureAngle; ///< degrees; sharper edges stay sharp; absent: 30
   AmbientModel ambientModel = AmbientModel::PerLight;
   double diffuse = 1;
   double ambient = 0;

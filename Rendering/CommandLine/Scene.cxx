@@ -216,7 +216,10 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
       ? vtkLambentRayTracer::SCENE
       : vtkLambentRayTracer::PER_LIGHT);
   tracer->SetProperty(MakeProperty(options));
-  tracer->SetFeatureAngle(options.featureAngle);
+  if (options.featureAngle)
+  {
+    tracer->SetFeatureAngle(*options.featureAngle);
+  }
 
   SetUpCamera(options, tracer);
   for (const LightValue& value : options.lights)

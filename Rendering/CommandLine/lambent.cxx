@@ -7,6 +7,7 @@
 
 #include "CheckPolygons.h"
 #include "Compare.h"
+#include "IdleFeatureAngle.h"
 #include "Messages.h"
 #include "NothingSeen.h"
 #include "Options.h"
@@ -54,6 +55,21 @@ Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progr
   return meshes;
 }
 
+/// Says why the feature angle has no effect, if so, and drops it: the ray tracer would warn, too,
+/// and names methods, not options.
+void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
+{
+  const std::string reason = WhyFeatureAngleIsIdle(options, meshes);
+  if (!reason.empty())
+  {
+    options.featureAngle.reset();
+    if (!options.quiet)
+    {
+      Say("warning: " + reason);
+    }
+  }
+}
+
 /// A picture, and if it is to be compared, what its pixels show.
 struct Drawing
 {
@@ -93,9 +109,9 @@ void WarnIfNothingIsSeen(
 {
   const std::string reason =
     options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  messages.DropWarnings(); // of having drawn it again
   if (!reason.empty())
   {
-    messages.DropWarnings(); // of having drawn it again
     Say("warning: " + reason);
   }
 }
@@ -132,7 +148,8 @@ std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
   std::error_code error;
   if (!baseline.empty() && std::filesystem::exists(baseline, error))
   {
-    const int* const size = ReadPicture(baseline, messages)->GetDimensions();
+    const auto picture = ReadPicture(baseline, messages); // which the dimensions belong to
+    const int* const size = picture->GetDimensions();
     return { size[0], size[1] };
   }
   return { 1920, 1080 };
@@ -180,6 +197,7 @@ bool Draw(Options options, VtkMessages& messages)
 
   Stopwatch stopwatch;
   const Meshes meshes = ReadMeshes(options, messages, progress);
+  DropIdleFeatureAngle(options, meshes);
   stopwatch.Lap("reading");
   const Drawing drawing = Render(options, meshes, messages, progress, stopwatch);
   stopwatch.Lap("rendering");

@@ -94,7 +94,7 @@ class Scene:
 
 
 def machine():
-    """What the README tells of the machine."""
+    """What the report says about the machine."""
     model = platform.processor() or platform.machine()
     with open("/proc/cpuinfo", encoding="utf-8") as lines:
         for line in lines:

@@ -117,7 +117,7 @@ def measure(suite, names, quick):
 
 
 def keep(results):
-    """Copy what the README shows into the source folder."""
+    """Copy the report and the curves into this folder, for its README."""
     for name in ("report.md", "scaling.json", "scaling.svg"):
         if (results / name).exists():
             shutil.copy(results / name, HERE / name)

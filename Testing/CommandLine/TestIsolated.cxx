@@ -184,7 +184,7 @@ TEST(Isolated, ReadersThatComeToNoEndAreStopped)
   const std::string failure = FailureOf(
     []
     {
-      for (volatile int k = 0;; k = k + 1)
+      for (volatile unsigned int k = 0;; k = k + 1)
       {
       }
       return MakeMesh();

@@ -54,6 +54,9 @@ CASES = (
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "cone=10;focal=9,0,9"),
      "no face in it lies in the cone of a light; try a wider cone or another focal point in "
      "--light"),
+    (SQUARE, AT_Z + ("--light", FAR_LAMP + "cone=10;focal=9,0,9", "--light", "direction=0,0,1"),
+     "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+     "--light"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "attenuation=0,0,1000"),
      "the lights are too far away for their attenuation; try a smaller one in --light"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "intensity=1e-4"),

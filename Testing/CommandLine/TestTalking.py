@@ -94,6 +94,40 @@ class TestTalking(CommandTest):
             self.assertRegex(done.stderr, rb"\Alambent: warning: .*finite")
             self.assertEqual(self.succeed(*arguments, "--quiet"), b"")
 
+    def test_a_feature_angle_without_effect_is_said_unless_quiet(self):
+        points, faces = SQUARE
+        self.write("normals.obj", "".join("v %r %r %r\n" % p for p in points) + "vn 0 0 1\n" +
+                   "".join("f " + " ".join(f"{i + 1}//1" for i in face) + "\n" for face in faces))
+        self.write("cubes.vtk", "# vtk DataFile Version 3.0\ncubes\nASCII\nDATASET "
+                   "STRUCTURED_POINTS\nDIMENSIONS 3 3 3\nORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA "
+                   "27\nSCALARS s float 1\nLOOKUP_TABLE default\n" + "0 1 3 " * 9 + "\n")
+        picture = ("-o", "x.png", "--size", "9x9")
+        angle = ("--feature-angle", "30")
+        said = "lambent: warning: --feature-angle has no effect"
+        own = said + (": all meshes have point normals; leave it out, or remove the normals from the "
+                      "files\n")
+        for arguments, expected in (
+                (("normals.obj", *angle), own),
+                (("normals.obj", "normals.obj", *angle), own),
+                (("square.obj", "--shading", "flat", *angle),
+                 said + " with --shading flat; leave one of them out\n"),
+                (("square.obj", "--shading", "unlit", *angle),
+                 said + " with --shading unlit; leave one of them out\n"),
+                (("cubes.vtk", "--contour", "0.5", *angle), said + ": the contour has normals of "
+                 "its own, from the array's gradient; leave it out\n")):
+            done = self.run_command(*arguments, *picture)
+            self.assertEqual((done.returncode, done.stderr.decode()), (0, expected))
+            self.succeed(*arguments, *picture, "--quiet")
+            without = self.read("x.png")
+            at = arguments.index("--feature-angle")
+            self.succeed(*arguments[:at], *arguments[at + 2:], "-o", "y.pnm", "--size", "9x9")
+            self.succeed(*arguments, "-o", "x.pnm", "--size", "9x9", "--quiet")
+            self.assertEqual(self.read("x.pnm").splitlines()[-1], self.read("y.pnm").splitlines()[-1])
+            done = self.run_command("--recreate", "x.png", "-o", "z.png")
+            self.assertEqual((done.stderr.decode(), self.read("z.png")), (expected, without))
+        self.succeed("square.obj", *angle, *picture)
+        self.succeed("square.obj", "normals.obj", *angle, *picture)
+
     def test_errors_are_said_even_when_quiet(self):
         self.fail_with(1, "missing.obj", "-o", "x.png", "--quiet")
         self.fail_with(1, "missing.obj", "-o", "x.png", "--verbose")

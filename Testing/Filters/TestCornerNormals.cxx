@@ -113,6 +113,37 @@ TEST(CornerNormals, EqualDefinitionOnLargePolygons)
   expectDefinition(prism, { 5.0, 30.0, 80.0, 95.0, 180.0 });
 }
 
+// Rings of ids, some periodic but for a little, against all their rotations.
+TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
+{
+  for (const int period : { 1, 3, 5, 7 })
+  {
+    for (const int repeats : { 3, 6, 9 })
+    {
+      PolygonMesh mesh;
+      std::vector<std::int64_t> ring;
+      for (int i = 0; i < 2 * period + 4; ++i)
+      {
+        mesh.points.emplace_back(std::cos(0.4 * i), std::sin(0.4 * i), 0.05 * (i % 4));
+      }
+      for (int k = 0; k < period * repeats; ++k)
+      {
+        ring.push_back(k % period);
+      }
+      for (const std::int64_t apex : { period, period + 1 }) // twice the same, but for one point
+      {
+        auto face = ring;
+        face.insert(face.end(), { apex, period + 2, 0, 1 % period });
+        mesh.faces.push_back(face);
+        std::rotate(face.begin(), face.begin() + period + 1, face.end());
+        mesh.faces.emplace_back(face.rbegin(), face.rend());
+      }
+      SCOPED_TRACE(std::to_string(repeats) + " times " + std::to_string(period));
+      expectDefinition(mesh, { 30.0, 180.0 });
+    }
+  }
+}
+
 // Pages that share their spine, an edge of as many faces.
 TEST(CornerNormals, EqualDefinitionOnEdgesOfManyFaces)
 {
@@ -246,35 +277,6 @@ TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
       EXPECT_NEAR(normals[i], i % 3 == 2 ? 0.0 : point[static_cast<int>(i % 3)], 1e-6) << start;
     }
   }
-}
-
-TEST(CornerNormals, SmoothMeshesNeedNoNumbers)
-{
-  const PolygonMesh sheet = makeSheet(20, [](double x, double y) { return 0.2 * x * y; });
-  std::vector<double> points;
-  std::vector<std::int64_t> offsets(1, 0), corners;
-  for (const Vec3& p : sheet.points)
-  {
-    points.insert(points.end(), { p.x, p.y, p.z });
-  }
-  for (const auto& face : sheet.faces)
-  {
-    corners.insert(corners.end(), face.begin(), face.end());
-    offsets.push_back(static_cast<std::int64_t>(corners.size()));
-  }
-  lambent::Faces faces;
-  faces.points = { points.data(), true, sheet.points.size() };
-  faces.cells = { { offsets.data(), true, offsets.size() },
-    { corners.data(), true, corners.size() } };
-  faces.blocks = checkCells(faces.cells, faces.points.size, lambent::Parallel()).blocks;
-  const auto normals = lambent::computeCornerNormals(faces, 30.0, lambent::Parallel());
-  EXPECT_FALSE(normals.numbers);
-  EXPECT_EQ(normals.count, sheet.points.size());
-  std::vector<float> ofPoints(3 * sheet.points.size());
-  lambent::computePointNormals(
-    faces, lambent::Weighting::Angle, 1.0f, lambent::Parallel(), ofPoints.data());
-  EXPECT_EQ(
-    std::vector<float>(normals.normals.get(), normals.normals.get() + ofPoints.size()), ofPoints);
 }
 
 // vtkPolyDataNormals gives each group of corners that go together a copy of the point.

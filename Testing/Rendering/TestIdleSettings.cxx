@@ -84,6 +84,33 @@ TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
   }
 }
 
+// Scenes of thousands of inputs that share a property are told once.
+TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
+{
+  Studio studio;
+  Messages messages(studio.tracer);
+  vtkNew<vtkProperty> shared, other;
+  shared->SetRepresentationToWireframe();
+  for (int k = 0; k < 5; ++k)
+  {
+    studio.tracer->AddInputDataObject(makeSquare());
+    studio.tracer->SetInputProperty(k, k == 2 ? other.Get() : shared.Get());
+  }
+  studio.tracer->SetInputProperty(0, other);
+  studio.tracer->Update();
+  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "Wireframe" });
+
+  messages.clear();
+  other->SetOpacity(0.5);
+  studio.tracer->Update();
+  expectMessage(messages.warnings(), { "Input 0 and 1 more: vtkProperty::", "SetOpacity()" });
+
+  messages.clear();
+  studio.tracer->SetProperty(other);
+  studio.tracer->Update(); // the same one, and one message
+  expectMessage(messages.warnings(), { "The property of all inputs: vtkProperty::SetOpacity()" });
+}
+
 // A common property that no input takes has nothing to be warned of.
 TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
 {
@@ -171,5 +198,92 @@ TEST(IdleSettings, ALightThatNeedsNoFocalPointIsNotNamed)
     studio.tracer->AddLight(light);
     EXPECT_EQ(render(studio.tracer).at(16, 12).x > 0.5, kind != 1);
     EXPECT_TRUE(messages.warnings().empty());
+  }
+}
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> makeSquareWithNormals()
+{
+  const auto square = makeSquare();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType k = 0; k < square->GetNumberOfPoints(); ++k)
+  {
+    normals->InsertNextTuple3(0.0, 0.0, 1.0);
+  }
+  square->GetPointData()->SetNormals(normals);
+  return square;
+}
+
+const std::vector<std::pair<std::string, std::function<void(vtkLambentRayTracer*)>>> normalSettings{
+  { "SetFeatureAngle()", [](vtkLambentRayTracer* tracer) { tracer->SetFeatureAngle(40.0); } },
+  { "SplittingOff()", [](vtkLambentRayTracer* tracer) { tracer->SplittingOff(); } },
+};
+}
+
+TEST(IdleSettings, OfComputedNormalsAreNamedWhereAllHaveTheirOwn)
+{
+  for (const auto& [name, change] : normalSettings)
+  {
+    Studio studio;
+    Messages messages(studio.tracer);
+    studio.tracer->AddInputDataObject(makeSquareWithNormals());
+    studio.tracer->AddInputDataObject(makeSquareWithNormals());
+    vtkNew<vtkProperty> flat;
+    flat->SetInterpolationToFlat();
+    studio.tracer->SetInputProperty(1, flat);
+    studio.tracer->Update();
+    EXPECT_TRUE(messages.warnings().empty());
+    change(studio.tracer);
+    studio.tracer->Update();
+    expectMessage(messages.warnings(), { name + " has no effect", "UsePointNormalsOff()" });
+
+    messages.clear();
+    studio.tracer->UsePointNormalsOff(); // the remedy
+    studio.tracer->Update();
+    EXPECT_TRUE(messages.warnings().empty());
+  }
+}
+
+TEST(IdleSettings, OfComputedNormalsAreNamedWhereNothingIsSmooth)
+{
+  for (const auto& [name, change] : normalSettings)
+  {
+    for (const bool isLit : { true, false })
+    {
+      Studio studio;
+      Messages messages(studio.tracer);
+      studio.tracer->SetInputData(makeSquare());
+      isLit ? studio.property->SetInterpolationToFlat() : studio.property->LightingOff();
+      change(studio.tracer);
+      studio.tracer->Update();
+      expectMessage(messages.warnings(),
+        { name + " has no effect", "LightingOn()", "SetInterpolationToPhong()" });
+
+      messages.clear();
+      studio.property->LightingOn(); // the remedy
+      studio.property->SetInterpolationToPhong();
+      studio.tracer->Update();
+      EXPECT_TRUE(messages.warnings().empty());
+    }
+  }
+}
+
+TEST(IdleSettings, OfComputedNormalsAreNotNamedWhereOneInputNeedsThem)
+{
+  for (const auto& [name, change] : normalSettings)
+  {
+    Studio studio;
+    const Messages messages(studio.tracer);
+    studio.tracer->AddInputDataObject(makeSquareWithNormals());
+    studio.tracer->AddInputDataObject(makeSquare());
+    change(studio.tracer);
+    studio.tracer->Update();
+    EXPECT_TRUE(messages.warnings().empty()) << name;
+    studio.tracer->RemoveAllInputs();
+    studio.tracer->SetInputData(vtkSmartPointer<vtkPolyData>::New()); // nothing to shade
+    studio.tracer->Update();
+    EXPECT_TRUE(messages.warnings().empty()) << name;
   }
 }

@@ -3,19 +3,15 @@
 
 #include "LegacyCells.h"
 #include "CheckCells.h"
-#include "HigherOrder.h"
 #include "ListCheck.h"
 #include "Messages.h"
 
 #include "vtkByteSwap.h"
 #include "vtkCellArray.h"
-#include "vtkCellType.h"
 #include "vtkDataReader.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <istream>
@@ -111,25 +107,6 @@ bool ReadParts(std::istream& stream, vtkTypeInt64Array* array, vtkIdType count, 
     look(begin, end);
   }
   return true;
-}
-
-/// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
-bool IsStreamOfFaces(vtkIdType size, const vtkIdType* stream)
-{
-  if (size < 1 || stream[0] < 1)
-  {
-    return false;
-  }
-  vtkIdType at = 1;
-  for (vtkIdType left = stream[0]; left > 0; --left)
-  {
-    if (at >= size || stream[at] < 0 || stream[at] > size - at - 1)
-    {
-      return false;
-    }
-    at += stream[at] + 1;
-  }
-  return at == size;
 }
 
 } // namespace
@@ -266,36 +243,6 @@ std::vector<int> LegacyCells::ReadTypes() const
     throw Failure("it is cut short or broken in its CELL_TYPES; get a whole copy of it");
   }
   return types;
-}
-
-void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<int>& types)
-{
-  const vtkIdType count = cells->GetNumberOfCells();
-  if (static_cast<vtkIdType>(types.size()) != count)
-  {
-    throw Failure("it has " + std::to_string(count) + " CELLS and " + std::to_string(types.size()) +
-      " CELL_TYPES; get a whole copy of it");
-  }
-  vtkNew<vtkIdList> stream;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    const int type = types[static_cast<std::size_t>(cell)];
-    if (type < 0 || type > 255)
-    {
-      throw Failure("its cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
-        ", and there is no such type" + CorrectCell);
-    }
-    if (type == VTK_POLYHEDRON)
-    {
-      cells->GetCellAtId(cell, stream);
-      if (!IsStreamOfFaces(stream->GetNumberOfIds(), stream->GetPointer(0)))
-      {
-        throw Failure("it is broken: the faces of its cell " + std::to_string(cell) +
-          " do not add up; get a whole copy of it");
-      }
-    }
-  }
-  grid->SetCells(types.data(), cells);
 }
 
 } // namespace lambent::command

@@ -18,7 +18,6 @@
 class vtkCellArray;
 class vtkDataReader;
 class vtkPointSet;
-class vtkUnstructuredGrid;
 
 namespace lambent::command
 {
@@ -57,10 +56,6 @@ private:
   vtkPointSet* Points;
   std::uint64_t FileSize;
 };
-
-/// Sets the cells of the grid. Throws Failure if there are not as many types as cells, a type is
-/// not a byte, or the faces of a polyhedron do not add up.
-void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<int>& types);
 
 } // namespace lambent::command
 

@@ -242,19 +242,20 @@ vtkSmartPointer<vtkPolyData> MeshPipeReader::MakeMesh()
     points->SetData(this->Taken->points);
   }
   mesh->SetPoints(points);
-  void (vtkPolyData::*const set[CellKinds])(vtkCellArray*) = { &vtkPolyData::SetVerts,
-    &vtkPolyData::SetLines, &vtkPolyData::SetPolys, &vtkPolyData::SetStrips };
+  vtkNew<vtkCellArray> cells[CellKinds];
   for (int kind = 0; kind < CellKinds; ++kind)
   {
     vtkDataArray* const offsets = this->Taken->cells[2 * kind];
     vtkDataArray* const connectivity = this->Taken->cells[2 * kind + 1];
-    vtkNew<vtkCellArray> cells;
-    if (offsets && (!connectivity || !cells->SetData(offsets, connectivity)))
+    if (offsets && (!connectivity || !cells[kind]->SetData(offsets, connectivity)))
     {
       ThrowBroken();
     }
-    (mesh->*set[kind])(cells);
   }
+  mesh->SetVerts(cells[0]);
+  mesh->SetLines(cells[1]);
+  mesh->SetPolys(cells[2]);
+  mesh->SetStrips(cells[3]);
   for (const Parts::Data& data : this->Taken->data)
   {
     vtkDataSetAttributes* const attributes = data.isOfPoints

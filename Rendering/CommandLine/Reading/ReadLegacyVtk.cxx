@@ -4,6 +4,7 @@
 #include "ReadLegacyVtk.h"
 #include "HigherOrder.h"
 #include "LegacyCells.h"
+#include "LegacyGrid.h"
 #include "Messages.h"
 
 #include "vtkCellArray.h"

@@ -3,6 +3,7 @@
 
 // The results of simulations, at their first time, with all arrays, so that they can be contoured.
 
+#include "CheckEnSight.h"
 #include "CheckNetCdf.h"
 #include "Messages.h"
 #include "ReadThroughVtk.h"
@@ -11,6 +12,10 @@
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkOpenFOAMReader.h"
+#include "vtkSetGet.h"
+
+#include <string>
+#include <vector>
 
 #ifdef LAMBENT_HAS_ENSIGHT
 #include "vtkGenericEnSightReader.h"
@@ -34,13 +39,25 @@ vtkSmartPointer<vtkDataObject> ReadFoam(
 vtkSmartPointer<vtkDataObject> ReadEnSight(
   const std::string& path, VtkMessages& messages, Progress& progress)
 {
+  const std::vector<BrokenVariable> broken = CheckEnSight(path);
   vtkNew<vtkGenericEnSightReader> reader;
   reader->SetCaseFileName(path.c_str());
+  for (const BrokenVariable& variable : broken)
+  {
+    reader->UpdateInformation();
+    variable.isAtPoints ? reader->SetPointArrayStatus(variable.name.c_str(), 0)
+                        : reader->SetCellArrayStatus(variable.name.c_str(), 0);
+  }
   const vtkSmartPointer<vtkDataObject> data = RunAtFirstTime(reader, messages, progress);
   const std::vector<std::string> warnings = messages.TakeWarnings();
   if (!warnings.empty()) // of files that end too early, after which it goes on
   {
     throw Failure(warnings.front() + "; is it whole, with all the files that it names?");
+  }
+  for (const BrokenVariable& variable : broken)
+  {
+    vtkGenericWarningMacro(<< "its variable " << variable.name << " is left out: the file '"
+                           << variable.file << "' is cut short");
   }
   return data;
 }

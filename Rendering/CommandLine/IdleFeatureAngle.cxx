@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "IdleFeatureAngle.h"
+
+#include "CheckPolygons.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace lambent::command
+{
+
+std::string WhyFeatureAngleIsIdle(
+  const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
+{
+  if (!options.featureAngle)
+  {
+    return "";
+  }
+  const std::string noEffect = "--feature-angle has no effect";
+  if (options.shading != Shading::Smooth)
+  {
+    return noEffect + " with --shading " + (options.shading == Shading::Flat ? "flat" : "unlit") +
+      "; leave one of them out";
+  }
+  bool isAnyDrawn = false;
+  for (vtkPolyData* mesh : meshes)
+  {
+    if (CountTriangles(mesh) == 0)
+    {
+      continue;
+    }
+    if (!mesh->GetPointData()->GetNormals())
+    {
+      return "";
+    }
+    isAnyDrawn = true;
+  }
+  return !isAnyDrawn ? ""
+    : options.contour
+    ? noEffect + ": the contour has normals of its own, from the array's gradient; leave it out"
+    : noEffect +
+      ": all meshes have point normals; leave it out, or remove the normals from the "
+      "files";
+}
+
+} // namespace lambent::command
