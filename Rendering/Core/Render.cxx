@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render.h"
 
+#include "GatheredPoints.h"
 #include "TileTasks.h"
 
 namespace lambent
@@ -95,13 +96,14 @@ private:
 
   void locate(std::size_t begin, std::size_t end)
   {
+    GatheredPoints gathered(this->Lattice);
     this->Mesh.forPoints(begin, end,
-      [this](const SceneMesh::Part& part, std::size_t from, std::size_t to)
+      [&](const SceneMesh::Part& part, std::size_t from, std::size_t to)
       {
-        LatticePosition* positions = this->Positions.get() + part.firstPoint;
+        LatticePosition* const positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)
         {
-          lambent::locatePoints(this->Lattice, part.surface->points, from, to, positions);
+          gathered.locate(part.surface->points, from, to, positions);
           return;
         }
         for (std::size_t p = from; p < to; ++p)
@@ -109,6 +111,7 @@ private:
           positions[p] = this->Lattice.locate(part.surface->points[p]);
         }
       });
+    gathered.flush();
   }
 
   /// Bins triangles from next on until there are none left or the bins are full;

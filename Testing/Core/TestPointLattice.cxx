@@ -78,6 +78,25 @@ void forRaysAndTriangles(const Window& window, Check&& check)
     }
   }
 }
+
+/// All triangles but the first, behind two that were added before.
+void expectAdded(
+  const IndexSpan& corners, std::size_t points, bool isSound, const std::string& target)
+{
+  constexpr std::int32_t offset = 70000;
+  const std::size_t end = corners.size / 3;
+  LatticeBoxes boxes;
+  const std::int32_t before[] = { 0, 1, 2, 2, 1, 0 };
+  EXPECT_TRUE(addCorners({ before, false, 6 }, 0, 2, 3, 0, boxes));
+  EXPECT_EQ(addCorners(corners, 1, end, points, offset, boxes), isSound)
+    << (corners.is64Bit ? "64" : "32") << " bits, " << target;
+  EXPECT_EQ(boxes.count, isSound ? static_cast<int>(end + 1) : 2);
+  EXPECT_TRUE(std::equal(before, before + 6, boxes.corners));
+  for (std::size_t k = 3; isSound && k < corners.size; ++k)
+  {
+    EXPECT_EQ(boxes.corners[3 + k], static_cast<std::int32_t>(corners[k]) + offset) << target;
+  }
+}
 }
 
 TEST(PointLattice, KeepsEveryRayThatHits)
@@ -203,7 +222,6 @@ TEST(PointLattice, CornersAreReadAndChecked)
   for (const std::string& target : vectorTargets())
   {
     ASSERT_TRUE(useVectorTarget(target));
-    LatticeBoxes boxes;
     for (const std::int64_t bad : { std::int64_t(0), std::int64_t(points), std::int64_t(-1),
            std::int64_t(1) << 32, std::numeric_limits<std::int64_t>::min() })
     {
@@ -211,21 +229,11 @@ TEST(PointLattice, CornersAreReadAndChecked)
       {
         std::vector<std::int64_t> ids = wide;
         ids[at] = bad;
-        EXPECT_EQ(
-          readCorners({ ids.data(), true, ids.size() }, 1, count + 1, points, boxes), bad == 0)
-          << "64 bits, " << bad << " at " << at << ", " << target;
+        expectAdded({ ids.data(), true, ids.size() }, points, bad == 0, target);
         const std::vector<std::int32_t> narrow(ids.begin(), ids.end());
         if (narrow[at] == bad)
         {
-          EXPECT_EQ(
-            readCorners({ narrow.data(), false, narrow.size() }, 1, count + 1, points, boxes),
-            bad == 0)
-            << "32 bits, " << bad << " at " << at << ", " << target;
-        }
-        if (bad == 0)
-        {
-          EXPECT_EQ(boxes.count, static_cast<int>(count));
-          EXPECT_TRUE(std::equal(ids.begin() + 3, ids.end(), boxes.corners)) << target;
+          expectAdded({ narrow.data(), false, narrow.size() }, points, bad == 0, target);
         }
       }
     }

@@ -67,6 +67,7 @@ public:
     return *part;
   }
 
+  const Part& part(std::size_t number) const { return this->Parts[number]; }
   /// The number of a part among the scene's surfaces.
   std::size_t numberOf(const Part& part) const
   {

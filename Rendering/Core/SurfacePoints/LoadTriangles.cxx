@@ -16,73 +16,90 @@ void put(double (*rows)[SampleBatch::room], int run, const Vec3& v)
   rows[1][run] = v.y;
   rows[2][run] = v.z;
 }
-}
 
-// Points and normals lie anywhere in memory: first ask for all of them, then read.
-void loadTriangles(const RunRange& range, SampleBatch& batch)
+/// partOf(run): the surface that a run hits. Points and normals lie anywhere in memory: first
+/// ask for all of them, then read.
+template <bool IsSmooth, typename PartOf>
+void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
 {
-  const bool smooth = range.isSmooth;
-  struct Triangle
-  {
-    int run;
-    const Surface* surface;
-    std::size_t number; ///< within the surface
-    std::uint64_t corners[3], normals[3];
-  };
-  Triangle triangles[SampleBatch::places];
+  int runs[SampleBatch::places];
   int count = 0;
   std::fill_n(batch.isWanted, batch.runCount, 0.0);
   for (int run = range.firstRun; run < range.endRun; ++run)
   {
     if (batch.triangles[run] != noTriangle)
     {
-      const SceneMesh::Part& part = range.part ? *range.part : *batch.parts[run];
-      Triangle& triangle = triangles[count++];
-      triangle.run = run;
-      triangle.surface = part.surface;
-      triangle.number = batch.triangles[run] - part.firstTriangle;
       batch.isWanted[run] = 1.0;
-      hwy::Prefetch(part.surface->corners.at(3 * triangle.number));
-      if (smooth && part.surface->normalNumbers.data)
+      runs[count++] = run;
+      const SceneMesh::Part& part = partOf(run);
+      const std::size_t corner = 3 * (batch.triangles[run] - part.firstTriangle);
+      hwy::Prefetch(part.surface->corners.at(corner));
+      if (IsSmooth && part.surface->normalNumbers.data)
       {
-        hwy::Prefetch(part.surface->normalNumbers.at(3 * triangle.number));
+        hwy::Prefetch(part.surface->normalNumbers.at(corner));
       }
     }
   }
+  std::uint64_t corners[SampleBatch::places][3];
+  std::uint64_t normals[SampleBatch::places][3];
   for (int k = 0; k < count; ++k)
   {
-    Triangle& triangle = triangles[k];
-    const Surface& surface = *triangle.surface;
+    const SceneMesh::Part& part = partOf(runs[k]);
+    const Surface& surface = *part.surface;
+    const std::size_t first = 3 * (batch.triangles[runs[k]] - part.firstTriangle);
+    const bool hasNumbers = IsSmooth && surface.normalNumbers.data;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      triangle.corners[corner] = surface.corners[3 * triangle.number + corner];
-      hwy::Prefetch(surface.points.at(triangle.corners[corner]));
-      if (smooth)
+      const std::uint64_t point = surface.corners[first + corner];
+      corners[k][corner] = point;
+      hwy::Prefetch(surface.points.at(point));
+      if (IsSmooth)
       {
-        triangle.normals[corner] = surface.normalNumbers.data
-          ? surface.normalNumbers[3 * triangle.number + corner]
-          : triangle.corners[corner];
-        hwy::Prefetch(surface.pointNormals.at(triangle.normals[corner]));
+        const std::uint64_t normal = hasNumbers ? surface.normalNumbers[first + corner] : point;
+        normals[k][corner] = normal;
+        hwy::Prefetch(surface.pointNormals.at(normal));
       }
     }
   }
   for (int k = 0; k < count; ++k)
   {
-    const Triangle& triangle = triangles[k];
-    const Surface& surface = *triangle.surface;
+    const SceneMesh::Part& part = partOf(runs[k]);
+    const Surface& surface = *part.surface;
     for (int corner = 0; corner < 3; ++corner)
     {
-      put(batch.points + 3 * corner, triangle.run, surface.points[triangle.corners[corner]]);
-      if (smooth)
+      put(batch.points + 3 * corner, runs[k], surface.points[corners[k][corner]]);
+      if (IsSmooth)
       {
-        put(
-          batch.normals + 3 * corner, triangle.run, surface.pointNormals[triangle.normals[corner]]);
+        put(batch.normals + 3 * corner, runs[k], surface.pointNormals[normals[k][corner]]);
       }
     }
-    if (!smooth)
+    if (!IsSmooth)
     {
-      put(batch.normals, triangle.run, TrianglePoints::faceNormal(surface, triangle.number));
+      put(batch.normals, runs[k],
+        TrianglePoints::faceNormal(surface, batch.triangles[runs[k]] - part.firstTriangle));
     }
   }
+}
+
+template <bool IsSmooth>
+void load(const RunRange& range, SampleBatch& batch)
+{
+  if (range.part)
+  {
+    const SceneMesh::Part& part = *range.part;
+    load<IsSmooth>(
+      range, [&part](int) -> const SceneMesh::Part& { return part; }, batch);
+  }
+  else
+  {
+    load<IsSmooth>(
+      range, [&batch](int run) -> const SceneMesh::Part& { return *batch.parts[run]; }, batch);
+  }
+}
+}
+
+void loadTriangles(const RunRange& range, SampleBatch& batch)
+{
+  range.isSmooth ? load<true>(range, batch) : load<false>(range, batch);
 }
 }

@@ -12,6 +12,13 @@ namespace
 {
 // The kernels number points in 32 bits.
 constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
+
+/// Where the places of a part end, in ascending ones that begin with it.
+const std::uint32_t* endOf(
+  const BoxedPart& boxed, const std::uint32_t* places, const std::uint32_t* end)
+{
+  return end == places || *(end - 1) < boxed.end ? end : std::lower_bound(places, end, boxed.end);
+}
 }
 
 void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
@@ -19,22 +26,34 @@ void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) con
   this->Mesh.mesh().forTriangles(begin, end,
     [&](const SceneMesh::Part& part, std::size_t partBegin, std::size_t partEnd)
     {
-      constexpr std::size_t block = LatticeBoxes::capacity;
-      for (std::size_t t = partBegin; t < partEnd; t += block)
+      while (partBegin < partEnd)
       {
-        this->bin(part, t, std::min(t + block, partEnd), memory);
+        const auto room = static_cast<std::size_t>(LatticeBoxes::capacity - memory.boxes.count);
+        const std::size_t next = std::min(partBegin + room, partEnd);
+        this->add(part, partBegin, next, memory);
+        partBegin = next;
       }
     });
+  this->binBoxes(memory);
 }
 
-void Binning::bin(
+/// Adds triangles of a surface to those whose boxes are found next.
+void Binning::add(
   const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
   const Surface& surface = *part.surface;
   const std::size_t pointCount = surface.points.size;
   LatticeBoxes& boxes = memory.boxes;
+  std::size_t offset =
+    memory.parts.empty() ? 0 : part.firstPoint - memory.parts.front().part->firstPoint;
+  if (offset + pointCount > maximumPoints)
+  {
+    this->binBoxes(memory);
+    offset = 0;
+  }
+  const auto first = static_cast<std::uint32_t>(boxes.count);
   if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
-    !readCorners(surface.corners, begin, end, pointCount, boxes))
+    !addCorners(surface.corners, begin, end, pointCount, static_cast<std::int32_t>(offset), boxes))
   {
     for (std::size_t t = begin; t < end; ++t)
     {
@@ -42,39 +61,77 @@ void Binning::bin(
     }
     return;
   }
-  if (memory.part != &part)
+  memory.parts.push_back({ &part, begin, first, static_cast<std::uint32_t>(boxes.count),
+    static_cast<std::int32_t>(offset) });
+  if (boxes.count == LatticeBoxes::capacity)
   {
-    this->flush(memory);
-    memory.part = &part;
+    this->binBoxes(memory);
   }
-  findBoxes(this->Positions + part.firstPoint, boxes);
-  const bool isCulled = surface.appearance.cullFront || surface.appearance.cullBack;
-  const auto first = static_cast<std::uint32_t>(part.firstTriangle + begin);
-  for (int k = 0; k < boxes.found; ++k)
+}
+
+void Binning::binBoxes(BinningMemory& memory) const
+{
+  LatticeBoxes& boxes = memory.boxes;
+  if (boxes.count == 0)
   {
-    const std::uint32_t place = boxes.triangles[k];
+    return;
+  }
+  findBoxes(this->Positions + memory.parts.front().part->firstPoint, boxes);
+  const std::uint32_t* found = boxes.triangles;
+  const std::uint32_t* unplaced = boxes.unplacedTriangles;
+  for (const BoxedPart& boxed : memory.parts)
+  {
+    const std::uint32_t* const end = endOf(boxed, found, boxes.triangles + boxes.found);
+    const int count = static_cast<int>(end - found);
+    boxed.offset == 0 ? this->binBoxes<false>(boxed, found, count, memory)
+                      : this->binBoxes<true>(boxed, found, count, memory);
+    found = end;
+    const std::uint32_t* const unplacedEnd =
+      endOf(boxed, unplaced, boxes.unplacedTriangles + boxes.unplaced);
+    for (; unplaced < unplacedEnd; ++unplaced)
+    {
+      this->binPlainly(*boxed.part, boxed.begin + (*unplaced - boxed.first), memory);
+    }
+  }
+  boxes.count = 0;
+  memory.parts.clear();
+}
+
+/// Bins the triangles of some places, all of them of one surface.
+template <bool HasOffset>
+void Binning::binBoxes(
+  const BoxedPart& boxed, const std::uint32_t* places, int count, BinningMemory& memory) const
+{
+  const LatticeBoxes& boxes = memory.boxes;
+  const Surface& surface = *boxed.part->surface;
+  memory.isMixed = memory.isMixed || (memory.part && memory.part != boxed.part);
+  memory.part = boxed.part;
+  const bool isCulled = surface.appearance.cullFront || surface.appearance.cullBack;
+  const auto number = static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(*boxed.part));
+  const auto first =
+    static_cast<std::uint32_t>(boxed.part->firstTriangle + boxed.begin - boxed.first);
+  for (int k = 0; k < count; ++k)
+  {
+    const std::uint32_t place = places[k];
     const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
     const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
     const std::uint32_t triangle = first + place;
     if (isExact && !isCulled && box.width() <= SmallTriangles::side &&
       box.height() <= SmallTriangles::side)
     {
-      const std::int32_t* const corners = boxes.corners + 3 * place;
+      std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
+        corners[corner] = boxes.corners[3 * place + corner] - (HasOffset ? boxed.offset : 0);
         hwy::Prefetch(surface.points.at(corners[corner])); // for flush()
       }
-      this->addSmall({ triangle, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+      this->addSmall({ triangle, number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
         box.width(), box.height(), memory);
     }
     else
     {
       memory.bins.insert(triangle, box, isExact);
     }
-  }
-  for (int k = 0; k < boxes.unplaced; ++k)
-  {
-    this->binPlainly(part, begin + boxes.unplacedTriangles[k], memory);
   }
 }
 
@@ -101,27 +158,44 @@ void Binning::flush(BinningMemory& memory) const
       }
     }
   }
+  memory.part = nullptr;
+  memory.isMixed = false;
 }
 
-void Binning::load(
-  const SmallTriangles& small, int width, int height, const TupleSpan& points, CoverageBatch& batch)
+void Binning::load(int width, int height, BinningMemory& memory) const
 {
+  const SmallTriangles& small = memory.small[height - 1][width - 1];
+  CoverageBatch& batch = memory.batch;
   batch.count = small.count;
   batch.width = width;
   batch.height = height;
-  for (int k = 0; k < small.count; ++k)
+  const auto loadFrom = [&](const auto& pointsOf)
   {
-    const SmallTriangle& triangle = small.items[k];
-    batch.triangles[k] = triangle.number;
-    batch.i[k] = triangle.i;
-    batch.j[k] = triangle.j;
-    for (int corner = 0; corner < 3; ++corner)
+    for (int k = 0; k < small.count; ++k)
     {
-      const Vec3 p = points[triangle.corners[corner]];
-      batch.points[3 * corner][k] = p.x;
-      batch.points[3 * corner + 1][k] = p.y;
-      batch.points[3 * corner + 2][k] = p.z;
+      const SmallTriangle& triangle = small.items[k];
+      batch.triangles[k] = triangle.number;
+      batch.i[k] = triangle.i;
+      batch.j[k] = triangle.j;
+      const TupleSpan& points = pointsOf(triangle);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        const Vec3 p = points[triangle.corners[corner]];
+        batch.points[3 * corner][k] = p.x;
+        batch.points[3 * corner + 1][k] = p.y;
+        batch.points[3 * corner + 2][k] = p.z;
+      }
     }
+  };
+  if (memory.isMixed)
+  {
+    loadFrom([this](const SmallTriangle& triangle) -> const TupleSpan&
+      { return this->Mesh.mesh().part(triangle.part).surface->points; });
+  }
+  else
+  {
+    const TupleSpan& points = memory.part->surface->points;
+    loadFrom([&points](const SmallTriangle&) -> const TupleSpan& { return points; });
   }
 }
 
@@ -129,7 +203,7 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
 {
   SmallTriangles& small = memory.small[height - 1][width - 1];
   CoveredRays& covered = memory.covered;
-  load(small, width, height, memory.part->surface->points, memory.batch);
+  this->load(width, height, memory);
   const CoverageBatch& batch = memory.batch;
   findCoverage(batch, this->Lattice, covered);
   small.count = 0;

@@ -43,6 +43,16 @@ struct MeshDefects
   }
 };
 
+/// Triangles of one surface among those whose boxes are found together.
+struct BoxedPart
+{
+  const SceneMesh::Part* part;
+  std::size_t begin;   ///< the first of the triangles in its surface
+  std::uint32_t first; ///< the place of that
+  std::uint32_t end;   ///< the place after the last
+  std::int32_t offset; ///< from the surface's points to places among the positions
+};
+
 /// What a worker fills, and what it needs for that.
 struct BinningMemory
 {
@@ -54,9 +64,11 @@ struct BinningMemory
   Bins bins;
   MeshDefects defects;
   LatticeBoxes boxes;
-  /// By height - 1 and width - 1, all of them of one part.
+  std::vector<BoxedPart> parts; ///< of the boxes, in order
+  /// By height - 1 and width - 1.
   SmallTriangles small[SmallTriangles::side][SmallTriangles::side];
-  const SceneMesh::Part* part = nullptr;
+  const SceneMesh::Part* part = nullptr; ///< of the last small triangle, if there is any
+  bool isMixed = false;                  ///< others are of other parts
   CoverageBatch batch;
   CoveredRays covered;
 };
@@ -85,13 +97,16 @@ public:
   void flush(BinningMemory& memory) const;
 
 private:
-  void bin(
+  void add(
     const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
+  void binBoxes(BinningMemory& memory) const;
+  template <bool HasOffset>
+  void binBoxes(
+    const BoxedPart& boxed, const std::uint32_t* places, int count, BinningMemory& memory) const;
   void binPlainly(const SceneMesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
   void addSmall(const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const;
   void flush(int width, int height, BinningMemory& memory) const;
-  static void load(const SmallTriangles& small, int width, int height, const TupleSpan& points,
-    CoverageBatch& batch);
+  void load(int width, int height, BinningMemory& memory) const;
   bool isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const;
 
   const FrameMesh& Mesh;

@@ -49,11 +49,12 @@ namespace lambent
 struct SmallTriangle
 {
   std::uint32_t number;
-  std::int32_t corners[3]; ///< points of its surface
+  std::uint32_t part;      ///< of the scene's surfaces
+  std::int32_t corners[3]; ///< points of that surface
   std::int32_t i, j;       ///< the lower left ray of the box
 };
 
-/// Those with boxes of one size, of a surface of which both sides are seen.
+/// Those with boxes of one size, of surfaces of which both sides are seen.
 struct SmallTriangles
 {
   static constexpr int capacity = 32;

@@ -106,13 +106,14 @@ hn::Vec<hn::Rebind<std::uint32_t, D>> narrowed(hn::Vec<hn::Rebind<std::uint32_t,
 /// own prefetching alone does not keep up.
 template <typename Index>
 bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
-  std::size_t pointCount, std::int32_t* out)
+  std::size_t pointCount, std::int32_t offset, std::int32_t* out)
 {
   constexpr std::size_t ahead = 4096 / sizeof(Index);
   const hn::Rebind<Index, D> from;
   const hn::Rebind<std::uint32_t, D> to;
   const auto* ids = static_cast<const Index*>(corners.data);
   const auto last = hn::Set(from, static_cast<Index>(pointCount - 1));
+  const auto offsets = hn::Set(to, static_cast<std::uint32_t>(offset));
   auto wrong = hn::Gt(hn::Zero(from), hn::Zero(from));
   std::size_t k = begin;
   for (; k + lanes <= end; k += lanes)
@@ -120,24 +121,27 @@ bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
     hwy::Prefetch(ids + k + ahead);
     const auto id = hn::LoadU(from, ids + k);
     wrong = hn::Or(wrong, hn::Gt(id, last));
-    hn::StoreU(narrowed(id), to, reinterpret_cast<std::uint32_t*>(out + (k - begin)));
+    hn::StoreU(
+      hn::Add(narrowed(id), offsets), to, reinterpret_cast<std::uint32_t*>(out + (k - begin)));
   }
   bool isSound = hn::AllFalse(from, wrong);
   for (; k < end; ++k)
   {
     isSound = isSound && ids[k] < pointCount;
-    out[k - begin] = static_cast<std::int32_t>(ids[k]);
+    out[k - begin] = static_cast<std::int32_t>(ids[k]) + offset;
   }
   return isSound;
 }
 
-bool ReadCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
-  std::size_t pointCount, LatticeBoxes& boxes)
+bool AddCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes)
 {
-  boxes.count = static_cast<int>(end - begin);
-  return corners.is64Bit
-    ? readCorners<std::uint64_t>(corners, 3 * begin, 3 * end, pointCount, boxes.corners)
-    : readCorners<std::uint32_t>(corners, 3 * begin, 3 * end, pointCount, boxes.corners);
+  std::int32_t* const out = boxes.corners + 3 * boxes.count;
+  const bool isSound = corners.is64Bit
+    ? readCorners<std::uint64_t>(corners, 3 * begin, 3 * end, pointCount, offset, out)
+    : readCorners<std::uint32_t>(corners, 3 * begin, 3 * end, pointCount, offset, out);
+  boxes.count += isSound ? static_cast<int>(end - begin) : 0;
+  return isSound;
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -227,7 +231,7 @@ HWY_AFTER_NAMESPACE();
 namespace lambent
 {
 HWY_EXPORT(LocatePoints);
-HWY_EXPORT(ReadCorners);
+HWY_EXPORT(AddCorners);
 HWY_EXPORT(FindBoxes);
 
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
@@ -236,10 +240,10 @@ void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::siz
   HWY_DYNAMIC_DISPATCH(LocatePoints)(lattice, points, begin, end, positions);
 }
 
-bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
-  std::size_t pointCount, LatticeBoxes& boxes)
+bool addCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes)
 {
-  return HWY_DYNAMIC_DISPATCH(ReadCorners)(corners, begin, end, pointCount, boxes);
+  return HWY_DYNAMIC_DISPATCH(AddCorners)(corners, begin, end, pointCount, offset, boxes);
 }
 
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes)

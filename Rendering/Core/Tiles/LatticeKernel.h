@@ -21,7 +21,7 @@ struct LatticeBoxes
 {
   static constexpr int capacity = 256;
 
-  /// Going in: the corners of each triangle, three after three.
+  /// Going in: the corners of each triangle, three after three, as places among the positions.
   int count = 0;
   std::int32_t corners[3 * capacity];
 
@@ -38,10 +38,11 @@ struct LatticeBoxes
   std::uint32_t unplacedTriangles[capacity];
 };
 
-/// Fill in the corners of the triangles [begin, end). False if one of them is not below
-/// pointCount, which 32 bits must hold.
-bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
-  std::size_t pointCount, LatticeBoxes& boxes);
+/// Add the corners of the triangles [begin, end) of a surface, whose points are at offset and
+/// after it; 32 bits must hold the last. False, and nothing added, if a corner is not below
+/// pointCount.
+bool addCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes);
 
 /// Fill in what comes out. The ends are those that raysBetween() would give, before
 /// groups of rays are taken apart.
