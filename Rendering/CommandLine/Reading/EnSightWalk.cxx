@@ -155,7 +155,8 @@ private:
   bool HasPointIds = false, HasElementIds = false;
 };
 
-/// The values that follow a keyword in a part, or -1. With a second word some of them may lack.
+/// The values that follow a keyword in a part, or -1: "coordinates undef" and the like are not
+/// known.
 std::int64_t ValuesAt(const EnSightPart& part, const std::string& keyword, bool isAtPoints)
 {
   if (isAtPoints)
