@@ -141,7 +141,7 @@ class Claims(unittest.TestCase):
 
     def test_contract_version_is_the_current_one(self):
         version = re.search(r"constexpr int ImageContractVersion = (\d+);",
-                            read("Rendering/Core/ImageContract.h")).group(1)
+                            read("Rendering/Core/Contract/ImageContract.h")).group(1)
         self.assertIn("This is version %s of it" % version, read("Testing/Reproducibility/README.md"))
 
     def test_matrix_goes_into_its_readme(self):

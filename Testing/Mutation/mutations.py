@@ -21,10 +21,8 @@ EDGES = "Rendering/Core/Cast/EdgeFunctions.h"
 SETUP = "Rendering/Core/Cast/CastingSetup.h"
 EXACT = "Rendering/Core/Cast/ExactRow.h"
 RAYS = "Rendering/Core/Cast/TileSamples.h"
-SHADING = "Rendering/Core/Light/Shading.cxx"
 SHADING_KERNEL = "Rendering/Core/Light/ShadingKernel.cxx"
-PAINTING = "Rendering/Core/Film/Painting.cxx"
-SHADE_BATCH = "Rendering/Core/Light/ShadeBatch.h"
+PAINTING = "Rendering/Core/Painting.cxx"
 TRIANGULATION = "Rendering/Core/Scene/Triangulation.cxx"
 EARS = "Rendering/Core/Scene/Ears.h"
 TOUCHING = "Rendering/Core/Scene/TouchingPolygon.cxx"
@@ -37,15 +35,25 @@ CREASE_KERNEL = "Filters/Core/CreaseKernel.cxx"
 CREASED = "Filters/Core/CreasedPoint.h"
 CORNERS = "Filters/Core/CornerNormals.cxx"
 TRIANGLE_NORMALS = "Filters/Core/TriangleNormals.cxx"
-SCENE = "Rendering/SceneFromVTK.cxx"
+ARITHMETIC = "Filters/Base/Arithmetic.h"
+LIGHT = "Rendering/Core/Light/LightModel.cxx"
+VECTOR_LIGHTS = "Rendering/Core/Light/VectorLights.h"
+TRIANGLE_POINTS = "Rendering/Core/SurfacePoints/TrianglePoints.cxx"
+VECTOR_POINTS = "Rendering/Core/SurfacePoints/VectorTrianglePoints.h"
+RUNS = "Rendering/Core/SurfacePoints/VectorSurfacePoint.h"
+BYTES = "Rendering/Core/Film/ByteKernel.cxx"
+SAMPLES = "Rendering/Core/SurfacePoints/SampleBatch.h"
+LOADING = "Rendering/Core/SurfacePoints/LoadTriangles.cxx"
+FILM = "Rendering/Core/Film/Film.cxx"
+HITS = "Rendering/Core/Frame/VectorHits.h"
 
 MUTATIONS = [
     # The arithmetic of the contract.
-    (CONTRACT, "(a.x * b.x + a.y * b.y) + a.z * b.z", "a.x * b.x + (a.y * b.y + a.z * b.z)",
+    (ARITHMETIC, "(a.x * b.x + a.y * b.y) + a.z * b.z", "a.x * b.x + (a.y * b.y + a.z * b.z)",
      "dot sums in its order"),
-    (CONTRACT, "a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z",
+    (ARITHMETIC, "a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z",
      "a.z * b.y - a.y * b.z, a.z * b.x - a.x * b.z", "cross has its signs"),
-    (CONTRACT, "return { a.x / l, a.y / l, a.z / l };",
+    (ARITHMETIC, "return { a.x / l, a.y / l, a.z / l };",
      "return { a.x * (1 / l), a.y * (1 / l), a.z * (1 / l) };", "lengths are divided by"),
     (CONTRACT, "b.x - x * b.w", "b.x - x * c.w", "each vertex is sheared by its own depth"),
     (CONTRACT, "if (!spansZero(ax, bx, cx) || !spansZero(ay, by, cy))", "if (false)",
@@ -111,59 +119,70 @@ MUTATIONS = [
      "the range of nearness at a ray has a width"),
     (EDGES, "hn::Sub(middle, reach), hn::Add(middle, reach)",
      "hn::Sub(middle, reach), hn::Sub(middle, reach)", "extremes over a box"),
-    (EXACT, "hn::Le(hn::Max(hn::Max(e0, e1), e2), zero)",
-     "hn::Lt(hn::Max(hn::Max(e0, e1), e2), zero)", "the kernel's edges belong to the back"),
-    (EXACT, "  hit = hn::And(hit, hn::And(spansZero(ax, bx, cx), spansZero(ay, by, cy)));\n", "",
+    (HITS, "hn::Le(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)",
+     "hn::Lt(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)", "the kernel's edges belong to the back"),
+    (EXACT, "hn::And(result.isHit(), sheared.spansRay())", "result.isHit()",
      "the kernel's hits lie in the sheared box"),
-    (EXACT, "hn::And(hit, hn::Le(total, zero))", "hn::And(hit, hn::Ge(total, zero))",
+    (EXACT, "hn::And(hit, hn::Le(result.sum, hn::Zero(d)))",
+     "hn::And(hit, hn::Ge(result.sum, hn::Zero(d)))",
      "the kernel culls fronts"),
     (RAYS, "depth == nearest && triangle < this->Triangles[ray]",
      "depth == nearest && triangle > this->Triangles[ray]",
      "the first of two at one depth"),
     # The light model.
-    (SHADING, "light.positional && light.coneAngle < 90.0", "light.positional",
+    (LIGHT, "light.positional && light.coneAngle < 90.0", "light.positional",
      "from 90 degrees on there is no cone"),
-    (SHADING, "light.positional && light.attenuation != Vec3", "light.attenuation != Vec3",
+    (LIGHT, "light.positional && light.attenuation != Vec3", "light.attenuation != Vec3",
      "directional lights are not attenuated"),
-    (SHADING, "normal(0) * hit.e0 + normal(1) * hit.e1", "normal(0) * hit.e1 + normal(1) * hit.e0",
+    (TRIANGLE_POINTS, "normal(0) * hit.e0 + normal(1) * hit.e1", "normal(0) * hit.e1 + normal(1) * hit.e0",
      "normals go with their corners"),
-    (SHADING, "isBack && !this->TwoSided ? -m : m", "isBack ? -m : m",
+    (TRIANGLE_POINTS, "isBack && !this->TwoSided ? -m : m", "isBack ? -m : m",
      "smooth normals turn to the viewer"),
-    (SHADING, "isBack && this->TwoSided ? -m : m", "m", "flat normals turn to the viewer"),
-    (SHADING, "return cross(b - a, c - a);", "return cross(c - a, b - a);",
+    (TRIANGLE_POINTS, "isBack && this->TwoSided ? -m : m", "m", "flat normals turn to the viewer"),
+    (TRIANGLE_POINTS, "return cross(b - a, c - a);", "return cross(c - a, b - a);",
      "the geometric normal has its sign"),
-    (SHADING, "facing / std::sqrt(square * normalSquare)", "facing / std::sqrt(square)",
+    (LIGHT, "facing / std::sqrt(square * normalSquare)", "facing / std::sqrt(square)",
      "normals count with length one"),
-    (SHADING, "if (facing > 0.0)", "if (true)", "no light from behind"),
-    (SHADING, "material.ambient * light;", "material.ambient;", "the ambient term is each light's"),
-    (SHADING, "(a.x + a.y * distance) + (a.z * distance) * distance",
+    (LIGHT, "if (facing > 0.0)", "if (true)", "no light from behind"),
+    (LIGHT, "ambient * light;", "ambient;", "the ambient term is each light's"),
+    (LIGHT, "(a.x + a.y * distance) + (a.z * distance) * distance",
      "(a.x + a.y * distance) + a.z * distance", "attenuation is quadratic"),
-    (SHADING, "cosine >= source.coneCosine", "cosine > source.coneCosine + 0.01",
+    (LIGHT, "cosine >= source.coneCosine", "cosine > source.coneCosine + 0.01",
      "the rim belongs to the cone"),
-    (SHADING, "fraction * power(cosine, source.exponent) : 0.0", "fraction : 0.0",
+    (LIGHT, "fraction * power(cosine, source.exponent) : 0.0", "fraction : 0.0",
      "the exponent falls off"),
-    (SHADING, "if (!(distance > 0.0))", "if (false)", "a light at the hit is whole"),
-    (SHADING_KERNEL, "hn::Mul(hn::Mul(quadratic, distance), distance)",
+    (LIGHT, "if (!(distance > 0.0))", "if (false)", "a light at the hit is whole"),
+    (VECTOR_LIGHTS, "hn::Mul(hn::Mul(quadratic, distance), distance)",
      "hn::Mul(quadratic, hn::Mul(distance, distance))", "the kernel's attenuation, in its order"),
-    (SHADING_KERNEL, "hn::IfThenElse(hn::Gt(distance, hn::Zero(d)), fraction, one)", "fraction",
+    (VECTOR_LIGHTS, "hn::IfThenElse(hn::Gt(distance, hn::Zero(d)), fraction, one)", "fraction",
      "the kernel's light at the hit"),
-    (SHADING_KERNEL, "if (shader.isTwoSided() != smooth)", "if (shader.isTwoSided())",
+    (VECTOR_POINTS, "IsTurned(points.isTwoSided() != range.isSmooth)", "IsTurned(points.isTwoSided())",
      "the kernel's sides"),
-    (SHADING_KERNEL, "hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5)",
+    (BYTES, "hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.5)",
      "hn::Mul(hn::Set(d, 255.0), clamped), hn::Set(d, 0.499)", "the kernel's bytes are rounded"),
-    (SHADING_KERNEL, "hn::Div(facing, hn::Sqrt(hn::Mul(square, normalSquare)))",
+    (VECTOR_LIGHTS, "hn::Div(facing, hn::Sqrt(hn::Mul(square, normalSquare)))",
      "hn::Div(facing, hn::Mul(hn::Sqrt(square), hn::Sqrt(normalSquare)))",
      "the kernel's cosine, in its order"),
-    (SHADING_KERNEL, "hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places)",
+    (RUNS, "hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places)",
      "hn::LoadU(d, values + this->First)", "each ray has what belongs to its run"),
-    (SHADING_KERNEL, "hn::BlendedStore(result.y, isWanted,", "hn::StoreU(result.y,",
+    (SHADING_KERNEL, "hn::BlendedStore(color.y, isWanted,", "hn::StoreU(color.y,",
      "what is not hit keeps the background"),
-    (SHADE_BATCH, "std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);",
+    (SAMPLES, "std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);",
      "", "places beyond a piece belong to its last run"),
-    (PAINTING, "std::fill_n(batch.isWanted, batch.runCount, 0.0);", "",
+    (LOADING, "std::fill_n(batch.isWanted, batch.runCount, 0.0);", "",
      "what another part hits is not shaded again"),
-    (PAINTING, "!(part && part->holds(triangle))", "!part", "a range ends where another part begins"),
-    (PAINTING, "(row + 0.5)", "(row + 0.0)", "the gradient is that of the rows' centres"),
+    (PAINTING, "if (!part || !part->holds(triangle))", "if (!part)", "each run has its own surface"),
+    (PAINTING, "if (!range.appearance)", "if (false)",
+     "surfaces that are shaded together keep their colours"),
+    (PAINTING, "|| (!range.isUnlit && other.isSmooth != range.isSmooth)", "",
+     "flat and smooth surfaces are not shaded together"),
+    (PAINTING, "range.hasGivenNormals || other.hasGivenNormals", "range.hasGivenNormals",
+     "one surface with cell normals among others"),
+    ("Rendering/Core/Tiles/Binning.cxx", "+ boxed->begin - boxed->first);", "+ boxed->begin);",
+     "triangles of several surfaces keep their numbers"),
+    ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
+     "points that are located together lie side by side"),
+    (FILM, "(row + 0.5)", "(row + 0.0)", "the gradient is that of the rows' centres"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
      "radians have a low part"),
@@ -251,11 +270,11 @@ MUTATIONS = [
      "further normals follow those of the points"),
     (TRIANGLE_NORMALS, "normals.numbers.get() + cells.offsets[face]", "normals.numbers.get()",
      "each face has its own numbers"),
-    (SHADING, "const bool isTurned = this->TwoSided && isReversed(surface, triangle);",
+    (TRIANGLE_POINTS, "const bool isTurned = this->TwoSided && isReversed(surface, triangle);",
      "const bool isTurned = false;", "normals tell which side is the front"),
-    (SHADING, "(normal(0) + normal(1)) + normal(2)", "normal(0)",
+    (TRIANGLE_POINTS, "(normal(0) + normal(1)) + normal(2)", "normal(0)",
      "all three normals tell which side is the front"),
-    (SHADING_KERNEL, "given = (given + load(batch.normals + 3, k)) + load(batch.normals + 6, k);", "",
+    (VECTOR_POINTS, "given = (given + load(batch.normals + 3, k)) + load(batch.normals + 6, k);", "",
      "the kernel sums all three normals"),
     (ANGLES, "return x < 0.0 ? (piHigh - angle) + piLow : angle;", "return angle;",
      "obtuse angles"),

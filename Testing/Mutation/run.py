@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # What tests a file, by the beginning of its path. The first that fits.
 TESTS = (("Rendering/Core/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
+         ("Filters/Base/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Rendering/", ("TestLambentRendering",)),
          ("Filters/Core/TriangleNormals", ("TestLambentRendering",)),
          ("Filters/", ("TestLambentFilters",)))

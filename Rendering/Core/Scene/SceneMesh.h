@@ -29,6 +29,7 @@ public:
     const Appearance* appearance;
     std::size_t firstTriangle, triangleCount;
     std::size_t firstPoint;
+    std::uint32_t number; ///< among the scene's surfaces
 
     /// Whether a triangle, counted over all surfaces, is one of this part's.
     bool holds(std::size_t triangle) const
@@ -39,15 +40,15 @@ public:
 
   explicit SceneMesh(const std::vector<Surface>& surfaces)
   {
-    this->Parts.reserve(surfaces.size());
-    for (const Surface& surface : surfaces)
+    this->Parts.resize(surfaces.size());
+    const Appearance* appearance = surfaces.empty() ? nullptr : &surfaces.front().appearance;
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
     {
-      const bool isAsBefore =
-        !this->Parts.empty() && surface.appearance.isSameAs(*this->Parts.back().appearance);
-      this->Parts.push_back(
-        { &surface, isAsBefore ? this->Parts.back().appearance : &surface.appearance,
-          this->Triangles, surface.triangleCount(), this->Points });
-      this->Triangles += surface.triangleCount();
+      const Surface& surface = surfaces[k];
+      appearance = surface.appearance.isSameAs(*appearance) ? appearance : &surface.appearance;
+      this->Parts[k] = { &surface, appearance, this->Triangles, surface.triangleCount(),
+        this->Points, static_cast<std::uint32_t>(k) };
+      this->Triangles += this->Parts[k].triangleCount;
       this->Points += surface.points.size;
     }
     this->indexParts();
@@ -68,11 +69,6 @@ public:
   }
 
   const Part& part(std::size_t number) const { return this->Parts[number]; }
-  /// The number of a part among the scene's surfaces.
-  std::size_t numberOf(const Part& part) const
-  {
-    return static_cast<std::size_t>(&part - this->Parts.data());
-  }
 
   /// Calls body(part, begin, end) for the pieces of [begin, end), counted over all
   /// surfaces, that lie in one surface each; begin and end then count within it.

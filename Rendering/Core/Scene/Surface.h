@@ -47,6 +47,7 @@ struct Appearance
   Vec3 diffuseReflection() const { return this->diffuseColor * this->diffuse; }
   Vec3 ambientReflection() const { return this->ambientColor * this->ambient; }
 
+  bool isCulling() const { return this->cullFront || this->cullBack; }
   /// Whether a face is not drawn: sum is positive where its front is seen (Hit::sum).
   bool isCulled(double sum) const
   {

@@ -13,11 +13,23 @@ namespace
 // The kernels number points in 32 bits.
 constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 
-/// Where the places of a part end, in ascending ones that begin with it.
-const std::uint32_t* endOf(
-  const BoxedPart& boxed, const std::uint32_t* places, const std::uint32_t* end)
+// So few that to call a kernel takes longer.
+constexpr std::size_t fewTriangles = 8;
+
+/// As addCorners().
+bool addFewCorners(const Surface& surface, std::size_t begin, std::size_t end, std::int32_t offset,
+  LatticeBoxes& boxes)
 {
-  return end == places || *(end - 1) < boxed.end ? end : std::lower_bound(places, end, boxed.end);
+  bool isSound = true;
+  std::int32_t* out = boxes.corners + 3 * boxes.count;
+  for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner)
+  {
+    const std::uint64_t point = surface.corners[corner];
+    isSound = isSound && point < surface.points.size;
+    *out++ = static_cast<std::int32_t>(point) + offset;
+  }
+  boxes.count += isSound ? static_cast<int>(end - begin) : 0;
+  return isSound;
 }
 }
 
@@ -52,8 +64,11 @@ void Binning::add(
     offset = 0;
   }
   const auto first = static_cast<std::uint32_t>(boxes.count);
+  const auto offset32 = static_cast<std::int32_t>(offset);
+  const bool isFew = end - begin < fewTriangles;
   if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
-    !addCorners(surface.corners, begin, end, pointCount, static_cast<std::int32_t>(offset), boxes))
+    !(isFew ? addFewCorners(surface, begin, end, offset32, boxes)
+            : addCorners(surface.corners, begin, end, pointCount, offset32, boxes)))
   {
     for (std::size_t t = begin; t < end; ++t)
     {
@@ -61,8 +76,8 @@ void Binning::add(
     }
     return;
   }
-  memory.parts.push_back({ &part, begin, first, static_cast<std::uint32_t>(boxes.count),
-    static_cast<std::int32_t>(offset) });
+  memory.parts.push_back(
+    { &part, begin, first, static_cast<std::uint32_t>(boxes.count), offset32 });
   if (boxes.count == LatticeBoxes::capacity)
   {
     this->binBoxes(memory);
@@ -77,61 +92,69 @@ void Binning::binBoxes(BinningMemory& memory) const
     return;
   }
   findBoxes(this->Positions + memory.parts.front().part->firstPoint, boxes);
-  const std::uint32_t* found = boxes.triangles;
-  const std::uint32_t* unplaced = boxes.unplacedTriangles;
-  for (const BoxedPart& boxed : memory.parts)
-  {
-    const std::uint32_t* const end = endOf(boxed, found, boxes.triangles + boxes.found);
-    const int count = static_cast<int>(end - found);
-    boxed.offset == 0 ? this->binBoxes<false>(boxed, found, count, memory)
-                      : this->binBoxes<true>(boxed, found, count, memory);
-    found = end;
-    const std::uint32_t* const unplacedEnd =
-      endOf(boxed, unplaced, boxes.unplacedTriangles + boxes.unplaced);
-    for (; unplaced < unplacedEnd; ++unplaced)
-    {
-      this->binPlainly(*boxed.part, boxed.begin + (*unplaced - boxed.first), memory);
-    }
-  }
+  memory.parts.size() == 1 ? this->binFound<true>(memory) : this->binFound<false>(memory);
+  this->binUnplaced(memory);
   boxes.count = 0;
   memory.parts.clear();
 }
 
-/// Bins the triangles of some places, all of them of one surface.
-template <bool HasOffset>
-void Binning::binBoxes(
-  const BoxedPart& boxed, const std::uint32_t* places, int count, BinningMemory& memory) const
+/// Bins the triangles that have a ray in their box.
+template <bool IsOnePart>
+void Binning::binFound(BinningMemory& memory) const
 {
   const LatticeBoxes& boxes = memory.boxes;
-  const Surface& surface = *boxed.part->surface;
-  memory.isMixed = memory.isMixed || (memory.part && memory.part != boxed.part);
-  memory.part = boxed.part;
-  const bool isCulled = surface.appearance.cullFront || surface.appearance.cullBack;
-  const auto number = static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(*boxed.part));
-  const auto first =
-    static_cast<std::uint32_t>(boxed.part->firstTriangle + boxed.begin - boxed.first);
-  for (int k = 0; k < count; ++k)
+  const BoxedPart* boxed = memory.parts.data();
+  memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
+  memory.part = boxed->part;
+  const Surface* surface = boxed->part->surface;
+  auto first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin);
+  for (int k = 0; k < boxes.found; ++k)
   {
-    const std::uint32_t place = places[k];
+    const std::uint32_t place = boxes.triangles[k];
+    if (!IsOnePart && place >= boxed->end)
+    {
+      while (place >= boxed->end)
+      {
+        ++boxed;
+      }
+      surface = boxed->part->surface;
+      first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin - boxed->first);
+    }
     const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
     const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
     const std::uint32_t triangle = first + place;
-    if (isExact && !isCulled && box.width() <= SmallTriangles::side &&
+    if (isExact && !surface->appearance.isCulling() && box.width() <= SmallTriangles::side &&
       box.height() <= SmallTriangles::side)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
-        corners[corner] = boxes.corners[3 * place + corner] - (HasOffset ? boxed.offset : 0);
-        hwy::Prefetch(surface.points.at(corners[corner])); // for flush()
+        corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : boxed->offset);
+        hwy::Prefetch(surface->points.at(corners[corner])); // for flush()
       }
-      this->addSmall({ triangle, number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+      this->addSmall(
+        { triangle, boxed->part->number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
         box.width(), box.height(), memory);
     }
     else
     {
       memory.bins.insert(triangle, box, isExact);
     }
+  }
+}
+
+void Binning::binUnplaced(BinningMemory& memory) const
+{
+  const LatticeBoxes& boxes = memory.boxes;
+  const BoxedPart* boxed = memory.parts.data();
+  for (int k = 0; k < boxes.unplaced; ++k)
+  {
+    const std::uint32_t place = boxes.unplacedTriangles[k];
+    while (place >= boxed->end)
+    {
+      ++boxed;
+    }
+    this->binPlainly(*boxed->part, boxed->begin + (place - boxed->first), memory);
   }
 }
 

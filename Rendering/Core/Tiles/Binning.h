@@ -100,9 +100,9 @@ private:
   void add(
     const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
   void binBoxes(BinningMemory& memory) const;
-  template <bool HasOffset>
-  void binBoxes(
-    const BoxedPart& boxed, const std::uint32_t* places, int count, BinningMemory& memory) const;
+  template <bool IsOnePart>
+  void binFound(BinningMemory& memory) const;
+  void binUnplaced(BinningMemory& memory) const;
   void binPlainly(const SceneMesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
   void addSmall(const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const;
   void flush(int width, int height, BinningMemory& memory) const;

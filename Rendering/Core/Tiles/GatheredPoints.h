@@ -12,6 +12,8 @@
 
 #include "LatticeKernel.h"
 
+#include <algorithm>
+
 namespace lambent
 {
 class GatheredPoints
@@ -36,14 +38,13 @@ public:
       this->flush();
       this->First = positions + begin;
     }
-    for (std::size_t p = begin; p < end; ++p)
-    {
-      const Vec3 point = points[p];
-      double* const coordinates = this->Coordinates + 3 * this->Count++;
-      coordinates[0] = point.x;
-      coordinates[1] = point.y;
-      coordinates[2] = point.z;
-    }
+    const std::size_t first = 3 * begin, last = 3 * end;
+    double* const out = this->Coordinates + 3 * this->Count;
+    points.isDouble ? std::copy(static_cast<const double*>(points.data) + first,
+                        static_cast<const double*>(points.data) + last, out)
+                    : std::copy(static_cast<const float*>(points.data) + first,
+                        static_cast<const float*>(points.data) + last, out);
+    this->Count += end - begin;
   }
 
   void flush()
