@@ -23,9 +23,15 @@ public:
   {
   }
 
+  /// Small work has many checkpoints: not each becomes a ProgressEvent.
   void checkpoint(double done) const override
   {
-    this->Filter->UpdateProgress(done);
+    constexpr double step = 0.002;
+    if (!(done >= this->Told && done < this->Told + step))
+    {
+      this->Told = done;
+      this->Filter->UpdateProgress(done);
+    }
     this->checkAbort();
   }
 
@@ -39,6 +45,7 @@ public:
 
 private:
   vtkAlgorithm* const Filter;
+  mutable double Told = -1.0;
 };
 
 #endif

@@ -61,7 +61,7 @@ void FilterScene::addCamera(const lambent::Parallel& parallel)
   else
   {
     const int* size = this->Filter->GetImageSize();
-    camera = frameBounds(camera, this->Surfaces.bounds(parallel), size[0], size[1]);
+    camera = frameBounds(camera, findBounds(this->Surfaces.surfaces(), parallel), size[0], size[1]);
   }
   const std::string defect = describeDefect(camera);
   if (!defect.empty())

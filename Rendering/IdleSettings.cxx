@@ -108,7 +108,7 @@ std::string whyNoNormalsAreComputed(
     }
     vtkProperty* const own = filter->GetInputProperty(k);
     const bool isSmooth =
-      materialFromVTK(own ? own : filter->GetProperty()).shading == lambent::Shading::Smooth;
+      appearanceFromVTK(own ? own : filter->GetProperty()).shading == lambent::Shading::Smooth;
     if (isSmooth && !(filter->GetUsePointNormals() && inputs[k]->GetPointData()->GetNormals()))
     {
       return "";

@@ -14,6 +14,9 @@
 
 namespace
 {
+// Below that many triangles threads work on different inputs, not on one together.
+constexpr std::size_t trianglesOfSmall = 32 * 1024;
+
 /// Calls body() and puts the input's number before the message of what it throws, which may
 /// have begun a sentence.
 template <typename Body>
@@ -47,6 +50,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       {
         this->Surfaces.push_back(
           std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], parallel));
+        this->FirstTriangles.push_back(triangles);
         triangles += this->Surfaces[k]->surface().triangleCount();
         if (triangles >= lambent::noTriangle)
         {
@@ -59,40 +63,62 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
 
 void InputSurfaces::addNormals(bool useOwn, double featureAngle, const lambent::Parallel& parallel)
 {
-  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(this->Surfaces.size(), 1));
+  std::vector<std::size_t> small, large; // those whose normals are to be computed
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
+    vtkDataArray* const own = this->Inputs[k]->GetPointData()->GetNormals();
     if (surface.surface().appearance.shading != lambent::Shading::Smooth ||
       surface.surface().triangleCount() == 0)
     {
       continue;
     }
-    forInput(k,
-      [&]()
-      {
-        vtkDataArray* const own = this->Inputs[k]->GetPointData()->GetNormals();
-        if (useOwn && own)
-        {
-          surface.setPointNormals(own);
-          return;
-        }
-        this->HasComputedNormals = true;
-        surface.computeNormals(featureAngle,
-          lambent::Share(
-            parallel, share * static_cast<double>(k), share * static_cast<double>(k + 1)));
-      });
+    if (useOwn && own)
+    {
+      forInput(k, [&]() { surface.setPointNormals(own); });
+      continue;
+    }
+    (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
+  }
+  this->HasComputedNormals = !small.empty() || !large.empty();
+  const double count = static_cast<double>(std::max<std::size_t>(large.size(), 1) + 1);
+  this->computeSmallNormals(small, featureAngle, lambent::Share(parallel, 0.0, 1.0 / count));
+  for (std::size_t k = 0; k < large.size(); ++k)
+  {
+    const lambent::Share share(parallel, (k + 1) / count, (k + 2) / count);
+    forInput(large[k], [&]() { this->Surfaces[large[k]]->computeNormals(featureAngle, share); });
   }
 }
 
-lambent::Bounds InputSurfaces::bounds(const lambent::Parallel& parallel) const
+/// Each by one thread, several at a time. If some fail, the first input's error is thrown.
+void InputSurfaces::computeSmallNormals(
+  const std::vector<std::size_t>& inputs, double featureAngle, const lambent::Parallel& parallel)
 {
-  lambent::Bounds all;
-  for (const auto& surface : this->Surfaces)
+  constexpr std::size_t inputsPerChunk = 16, inputsPerPart = 64 * inputsPerChunk;
+  std::vector<std::string> failures(inputs.size());
+  lambent::forEachChunk<inputsPerChunk, inputsPerPart>(parallel, inputs.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        try
+        {
+          forInput(inputs[k],
+            [&]()
+            { this->Surfaces[inputs[k]]->computeNormals(featureAngle, lambent::Parallel()); });
+        }
+        catch (const std::runtime_error& failure)
+        {
+          failures[k] = failure.what();
+        }
+      }
+    });
+  const auto first = std::find_if(
+    failures.begin(), failures.end(), [](const std::string& text) { return !text.empty(); });
+  if (first != failures.end())
   {
-    all.add(findBounds(surface->surface(), parallel));
+    throw std::runtime_error(*first);
   }
-  return all;
 }
 
 std::vector<lambent::Surface> InputSurfaces::surfaces() const
@@ -107,13 +133,10 @@ std::vector<lambent::Surface> InputSurfaces::surfaces() const
 
 InputSurfaces::Place InputSurfaces::find(std::size_t triangle) const
 {
-  std::size_t input = 0;
-  while (triangle >= this->Surfaces[input]->surface().triangleCount())
-  {
-    triangle -= this->Surfaces[input]->surface().triangleCount();
-    ++input;
-  }
-  return { input, this->Surfaces[input]->surface().cellOf(triangle) };
+  const auto after =
+    std::upper_bound(this->FirstTriangles.begin(), this->FirstTriangles.end(), triangle);
+  const auto input = static_cast<std::size_t>(after - this->FirstTriangles.begin()) - 1;
+  return { input, this->Surfaces[input]->surface().cellOf(triangle - this->FirstTriangles[input]) };
 }
 
 std::string InputSurfaces::describeWrongCorner(const lambent::MeshDefects& defects) const

@@ -37,7 +37,6 @@ public:
   };
   Place find(std::size_t triangle) const;
 
-  lambent::Bounds bounds(const lambent::Parallel& parallel) const;
   std::vector<lambent::Surface> surfaces() const;
 
   /// The message about a corner that names a point that does not exist.
@@ -46,8 +45,12 @@ public:
   std::string describeNotFinite(const lambent::MeshDefects& defects) const;
 
 private:
+  void computeSmallNormals(
+    const std::vector<std::size_t>& inputs, double featureAngle, const lambent::Parallel& parallel);
+
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
+  std::vector<std::size_t> FirstTriangles; ///< of each, counted over all
   bool HasComputedNormals = false;
 };
 

@@ -39,7 +39,7 @@ std::string describeDefect(const lambent::Light& light);
 /// The white headlight of a scene without lights.
 lambent::Light headlight(const lambent::Camera& camera);
 
-/// A property as a appearance; nullptr is the default one.
+/// A property as an appearance; nullptr is the default one.
 lambent::Appearance appearanceFromVTK(vtkProperty* property);
 
 /// False if a coefficient or colour of the appearance is not a finite number.

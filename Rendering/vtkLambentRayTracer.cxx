@@ -99,8 +99,8 @@ void vtkLambentRayTracer::ResetCamera()
     {
       camera = vtkSmartPointer<vtkCamera>::New();
     }
-    const lambent::Camera framed = frameBounds(
-      cameraFromVTK(camera), surfaces.bounds(parallel), this->ImageSize[0], this->ImageSize[1]);
+    const lambent::Camera framed = frameBounds(cameraFromVTK(camera),
+      findBounds(surfaces.surfaces(), parallel), this->ImageSize[0], this->ImageSize[1]);
     applyFraming(framed, camera);
     this->SetCamera(camera);
   }

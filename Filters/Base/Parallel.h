@@ -36,12 +36,21 @@ public:
 };
 
 /**
- * Calls body(worker, i) once for each i in [begin, end), in any order. The first
- * exception stops the handing out of work and is thrown to the caller.
+ * Calls body(worker, i) once for each i in [begin, end), in any order; a single one in the
+ * calling thread, since to wake others takes longer than most bodies. The first exception
+ * stops the handing out of work and is thrown to the caller.
  */
 template <typename Body>
 void forEach(const Parallel& parallel, std::size_t begin, std::size_t end, Body&& body)
 {
+  if (end - begin <= 1)
+  {
+    if (begin < end)
+    {
+      body(0, begin);
+    }
+    return;
+  }
   std::atomic<std::size_t> next{ begin };
   std::exception_ptr failure;
   std::mutex failureMutex;

@@ -14,8 +14,8 @@ void begin(RunRange& range, const SceneMesh::Part& part)
   range.part = &part;
   range.appearance = part.appearance;
   range.isUnlit = part.appearance->shading == Shading::Unlit;
-  range.isSmooth = part.surface->isSmooth();
-  range.hasGivenNormals = range.isSmooth || part.surface->cellNormals;
+  range.isSmooth = part.isSmooth();
+  range.hasGivenNormals = range.isSmooth || part.hasCellNormals();
 }
 
 /// Whether triangles of another part can be shaded together with those of the range.

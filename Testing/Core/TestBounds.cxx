@@ -28,7 +28,7 @@ struct Triangle
 TEST(Bounds, AreThoseOfTheFinitePointsInUse)
 {
   const Triangle triangle;
-  const Bounds bounds = findBounds(triangle.surface, Parallel());
+  const Bounds bounds = findBounds({ triangle.surface }, Parallel());
   EXPECT_EQ(bounds.low, Vec3(-4, -8, 3));
   EXPECT_EQ(bounds.high, Vec3(7, 5, 9));
 }
@@ -37,14 +37,14 @@ TEST(Bounds, AreThoseOfTheFinitePointsInUse)
 TEST(Bounds, DoNotDependOnIdleWorkers)
 {
   const Triangle triangle;
-  const Bounds bounds = findBounds(triangle.surface, ThreadedParallel(8));
+  const Bounds bounds = findBounds({ triangle.surface }, ThreadedParallel(8));
   EXPECT_EQ(bounds.low, Vec3(-4, -8, 3));
   EXPECT_EQ(bounds.high, Vec3(7, 5, 9));
 }
 
 TEST(Bounds, OfNothingAreEmpty)
 {
-  EXPECT_TRUE(findBounds(Surface(), ThreadedParallel(2)).empty());
+  EXPECT_TRUE(findBounds({ Surface() }, ThreadedParallel(2)).empty());
   Bounds sum;
   sum.add(Bounds());
   EXPECT_TRUE(sum.empty());

@@ -48,12 +48,8 @@ std::vector<std::unique_ptr<BodySurface>> surfacesOf(
 lambent::Camera framed(
   const Stage& stage, const lambent::Scene& scene, const lambent::Parallel& parallel)
 {
-  lambent::Bounds bounds;
-  for (const lambent::Surface& surface : scene.surfaces)
-  {
-    bounds.add(findBounds(surface, parallel));
-  }
-  return frameBounds(lambent::Camera(), bounds, stage.width, stage.height);
+  return frameBounds(
+    lambent::Camera(), findBounds(scene.surfaces, parallel), stage.width, stage.height);
 }
 
 void drawPart(const lambent::Scene& scene, const lambent::Window& part,

@@ -85,12 +85,11 @@ void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) c
   {
     const std::uint32_t number = entries[k].triangle;
     const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
-    candidates[k].surface = part.surface;
+    candidates[k].part = &part;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      candidates[k].corners[corner] =
-        part.surface->corners[3 * (number - part.firstTriangle) + corner];
-      hwy::Prefetch(part.surface->points.at(candidates[k].corners[corner]));
+      candidates[k].corners[corner] = part.corners()[3 * (number - part.firstTriangle) + corner];
+      hwy::Prefetch(part.points().at(candidates[k].corners[corner]));
     }
   }
 }
@@ -100,15 +99,15 @@ void Casting::add(std::uint32_t number, const Candidate& candidate, const Window
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    const Vec3 p = candidate.surface->points[candidate.corners[corner]];
+    const Vec3 p = candidate.part->points()[candidate.corners[corner]];
     batch.points[3 * corner][batch.count] = p.x;
     batch.points[3 * corner + 1][batch.count] = p.y;
     batch.points[3 * corner + 2][batch.count] = p.z;
   }
   batch.triangles[batch.count] = number;
   batch.boxes[batch.count] = box;
-  batch.cullFront[batch.count] = candidate.surface->appearance.cullFront;
-  batch.cullBack[batch.count] = candidate.surface->appearance.cullBack;
+  batch.cullFront[batch.count] = candidate.part->appearance->cullFront;
+  batch.cullBack[batch.count] = candidate.part->appearance->cullBack;
   if (++batch.count == CastBatch::capacity)
   {
     this->flush(rays, batch);

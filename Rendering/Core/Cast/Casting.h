@@ -52,7 +52,7 @@ private:
   /// A triangle whose points are on their way from memory.
   struct Candidate
   {
-    const Surface* surface;
+    const SceneMesh::Part* part;
     std::uint64_t corners[3];
   };
   void fetch(const BinEntry* entries, int count, Candidate* candidates) const;

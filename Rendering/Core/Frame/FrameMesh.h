@@ -39,10 +39,9 @@ public:
   FrameTriangle triangle(std::uint32_t number) const
   {
     const SceneMesh::Part& part = this->Mesh.partOf(number);
-    const Surface& surface = *part.surface;
     const std::size_t first = 3 * (number - part.firstTriangle);
     const auto corner = [&](std::size_t k)
-    { return this->Frame.toFrame(surface.points[surface.corners[first + k]]); };
+    { return this->Frame.toFrame(part.points()[part.corners()[first + k]]); };
     return { corner(0), corner(1), corner(2), *part.appearance };
   }
 

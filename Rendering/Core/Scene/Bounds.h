@@ -35,7 +35,7 @@ struct Bounds
 
 /// The bounds of the corners of all triangles. Points that are used by none, do
 /// not exist or are not finite do not count.
-Bounds findBounds(const Surface& surface, const Parallel& parallel);
+Bounds findBounds(const std::vector<Surface>& surfaces, const Parallel& parallel);
 }
 
 #endif

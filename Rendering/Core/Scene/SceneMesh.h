@@ -22,21 +22,65 @@ namespace lambent
 class SceneMesh
 {
 public:
-  struct Part
+  /// A surface, with all that is looked up for single triangles in one line of the cache:
+  /// there may be as many surfaces as triangles.
+  struct alignas(64) Part
   {
-    const Surface* surface;
+    const Surface* surface = nullptr;
     /// That of the part before, where the two are equal, so that most can be told by address.
-    const Appearance* appearance;
-    std::size_t firstTriangle, triangleCount;
-    std::size_t firstPoint;
-    std::uint32_t number; ///< among the scene's surfaces
+    const Appearance* appearance = nullptr;
+    std::size_t firstPoint = 0;
+    std::uint32_t firstTriangle = 0, triangleCount = 0;
+
+    Part() = default;
+    Part(const Surface& s, const Appearance& a, std::size_t triangle, std::size_t point)
+      : surface(&s)
+      , appearance(&a)
+      , firstPoint(point)
+      , firstTriangle(static_cast<std::uint32_t>(triangle))
+      , triangleCount(static_cast<std::uint32_t>(s.triangleCount()))
+      , Points(s.points.data)
+      , Corners(s.corners.data)
+      , Normals(s.pointNormals.data)
+      , HasDoublePoints(s.points.isDouble)
+      , HasWideCorners(s.corners.is64Bit)
+      , HasDoubleNormals(s.pointNormals.isDouble)
+      , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
+          (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
+          (a.isCulling() ? Culling : 0)))
+    {
+    }
+
+    // Of the surface, without their sizes.
+    TupleSpan points() const { return { this->Points, this->HasDoublePoints, 0 }; }
+    IndexSpan corners() const { return { this->Corners, this->HasWideCorners, 0 }; }
+    TupleSpan pointNormals() const { return { this->Normals, this->HasDoubleNormals, 0 }; }
+    bool isSmooth() const { return (this->Flags & Smooth) != 0; }
+    bool hasNormalNumbers() const { return (this->Flags & NormalNumbers) != 0; }
+    bool hasCellNormals() const { return (this->Flags & CellNormals) != 0; }
+    bool isCulling() const { return (this->Flags & Culling) != 0; }
 
     /// Whether a triangle, counted over all surfaces, is one of this part's.
     bool holds(std::size_t triangle) const
     {
       return triangle - this->firstTriangle < this->triangleCount;
     }
+
+  private:
+    enum : unsigned char
+    {
+      Smooth = 1,
+      NormalNumbers = 2,
+      CellNormals = 4,
+      Culling = 8
+    };
+    const void* Points = nullptr;
+    const void* Corners = nullptr;
+    const void* Normals = nullptr;
+    bool HasDoublePoints = false, HasWideCorners = false, HasDoubleNormals = false;
+    unsigned char Flags = 0;
   };
+  static_assert(sizeof(Part) == 64);
 
   explicit SceneMesh(const std::vector<Surface>& surfaces)
   {
@@ -46,8 +90,7 @@ public:
     {
       const Surface& surface = surfaces[k];
       appearance = surface.appearance.isSameAs(*appearance) ? appearance : &surface.appearance;
-      this->Parts[k] = { &surface, appearance, this->Triangles, surface.triangleCount(),
-        this->Points, static_cast<std::uint32_t>(k) };
+      this->Parts[k] = Part(surface, *appearance, this->Triangles, this->Points);
       this->Triangles += this->Parts[k].triangleCount;
       this->Points += surface.points.size;
     }
@@ -69,6 +112,11 @@ public:
   }
 
   const Part& part(std::size_t number) const { return this->Parts[number]; }
+  /// Among the scene's surfaces.
+  std::size_t numberOf(const Part& part) const
+  {
+    return static_cast<std::size_t>(&part - this->Parts.data());
+  }
 
   /// Calls body(part, begin, end) for the pieces of [begin, end), counted over all
   /// surfaces, that lie in one surface each; begin and end then count within it.
@@ -103,9 +151,9 @@ private:
     }
   }
 
-  template <typename Body>
-  void forPieces(std::size_t begin, std::size_t end, std::size_t Part::*first, std::size_t total,
-    Body&& body) const
+  template <typename Number, typename Body>
+  void forPieces(
+    std::size_t begin, std::size_t end, Number Part::*first, std::size_t total, Body&& body) const
   {
     auto part = std::upper_bound(this->Parts.begin(), this->Parts.end(), begin,
                   [first](std::size_t t, const Part& p) { return t < p.*first; }) -

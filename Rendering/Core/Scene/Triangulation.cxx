@@ -155,6 +155,10 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
 {
   const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
   const std::size_t chunks = (count + cellsPerChunk - 1) / cellsPerChunk;
+  if (count == 0)
+  {
+    return;
+  }
   const auto endOf = [&](std::size_t chunk)
   { return std::min(count, (chunk + 1) * cellsPerChunk); };
   std::vector<Cutter> cutters(parallel.workers(), Cutter(cells, kind, points));

@@ -33,8 +33,8 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
       runs[count++] = run;
       const SceneMesh::Part& part = partOf(run);
       const std::size_t corner = 3 * (batch.triangles[run] - part.firstTriangle);
-      hwy::Prefetch(part.surface->corners.at(corner));
-      if (IsSmooth && part.surface->normalNumbers.data)
+      hwy::Prefetch(part.corners().at(corner));
+      if (IsSmooth && part.hasNormalNumbers())
       {
         hwy::Prefetch(part.surface->normalNumbers.at(corner));
       }
@@ -45,38 +45,41 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = partOf(runs[k]);
-    const Surface& surface = *part.surface;
     const std::size_t first = 3 * (batch.triangles[runs[k]] - part.firstTriangle);
-    const bool hasNumbers = IsSmooth && surface.normalNumbers.data;
+    const bool hasNumbers = IsSmooth && part.hasNormalNumbers();
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      const std::uint64_t point = surface.corners[first + corner];
+      const std::uint64_t point = part.corners()[first + corner];
       corners[k][corner] = point;
-      hwy::Prefetch(surface.points.at(point));
+      hwy::Prefetch(part.points().at(point));
       if (IsSmooth)
       {
-        const std::uint64_t normal = hasNumbers ? surface.normalNumbers[first + corner] : point;
+        const std::uint64_t normal =
+          hasNumbers ? part.surface->normalNumbers[first + corner] : point;
         normals[k][corner] = normal;
-        hwy::Prefetch(surface.pointNormals.at(normal));
+        hwy::Prefetch(part.pointNormals().at(normal));
       }
     }
   }
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = partOf(runs[k]);
-    const Surface& surface = *part.surface;
+    Vec3 points[3];
     for (int corner = 0; corner < 3; ++corner)
     {
-      put(batch.points + 3 * corner, runs[k], surface.points[corners[k][corner]]);
+      points[corner] = part.points()[corners[k][corner]];
+      put(batch.points + 3 * corner, runs[k], points[corner]);
       if (IsSmooth)
       {
-        put(batch.normals + 3 * corner, runs[k], surface.pointNormals[normals[k][corner]]);
+        put(batch.normals + 3 * corner, runs[k], part.pointNormals()[normals[k][corner]]);
       }
     }
     if (!IsSmooth)
     {
       put(batch.normals, runs[k],
-        TrianglePoints::faceNormal(surface, batch.triangles[runs[k]] - part.firstTriangle));
+        part.hasCellNormals()
+          ? TrianglePoints::faceNormal(*part.surface, batch.triangles[runs[k]] - part.firstTriangle)
+          : cross(points[1] - points[0], points[2] - points[0]));
     }
   }
 }

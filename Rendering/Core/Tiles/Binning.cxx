@@ -106,7 +106,7 @@ void Binning::binFound(BinningMemory& memory) const
   const BoxedPart* boxed = memory.parts.data();
   memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
   memory.part = boxed->part;
-  const Surface* surface = boxed->part->surface;
+  const SceneMesh::Part* part = boxed->part;
   auto first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin);
   for (int k = 0; k < boxes.found; ++k)
   {
@@ -117,23 +117,23 @@ void Binning::binFound(BinningMemory& memory) const
       {
         ++boxed;
       }
-      surface = boxed->part->surface;
+      part = boxed->part;
       first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin - boxed->first);
     }
     const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
     const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
     const std::uint32_t triangle = first + place;
-    if (isExact && !surface->appearance.isCulling() && box.width() <= SmallTriangles::side &&
+    if (isExact && !part->isCulling() && box.width() <= SmallTriangles::side &&
       box.height() <= SmallTriangles::side)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
         corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : boxed->offset);
-        hwy::Prefetch(surface->points.at(corners[corner])); // for flush()
+        hwy::Prefetch(part->points().at(corners[corner])); // for flush()
       }
-      this->addSmall(
-        { triangle, boxed->part->number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+      this->addSmall({ triangle, static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(*part)),
+                       { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
         box.width(), box.height(), memory);
     }
     else
@@ -200,7 +200,7 @@ void Binning::load(int width, int height, BinningMemory& memory) const
       batch.triangles[k] = triangle.number;
       batch.i[k] = triangle.i;
       batch.j[k] = triangle.j;
-      const TupleSpan& points = pointsOf(triangle);
+      const TupleSpan points = pointsOf(triangle);
       for (int corner = 0; corner < 3; ++corner)
       {
         const Vec3 p = points[triangle.corners[corner]];
@@ -212,13 +212,13 @@ void Binning::load(int width, int height, BinningMemory& memory) const
   };
   if (memory.isMixed)
   {
-    loadFrom([this](const SmallTriangle& triangle) -> const TupleSpan&
-      { return this->Mesh.mesh().part(triangle.part).surface->points; });
+    loadFrom([this](const SmallTriangle& triangle)
+      { return this->Mesh.mesh().part(triangle.part).points(); });
   }
   else
   {
-    const TupleSpan& points = memory.part->surface->points;
-    loadFrom([&points](const SmallTriangle&) -> const TupleSpan& { return points; });
+    const TupleSpan points = memory.part->points();
+    loadFrom([&points](const SmallTriangle&) { return points; });
   }
 }
 
