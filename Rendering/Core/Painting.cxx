@@ -34,32 +34,31 @@ bool join(RunRange& range, const SceneMesh::Part& part)
 }
 }
 
-void Painting::paintPlainly(const TileSamples& samples) const
+void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
 {
   const Window& window = samples.window();
   for (int j = 0; j < window.height(); ++j)
   {
     for (int i = 0; i < window.width(); ++i)
     {
-      const std::uint32_t triangle =
-        samples.triangles()[static_cast<std::size_t>(j) * samples.stride() + i];
+      const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
       this->Target.storeColor(window.i0 + i, window.j0 + j,
         triangle == noTriangle
           ? this->Target.background(window.j0 + j)
           : this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j])));
     }
   }
-  this->Target.storeTriangles(window, samples.triangles(), samples.stride());
+  this->Target.storeTriangles(window, triangles, samples.stride());
 }
 
-void Painting::paint(const TileSamples& samples, SampleBatch& batch) const
+void Painting::paint(
+  const TileSamples& samples, const std::uint32_t* triangles, SampleBatch& batch) const
 {
   const Window& window = samples.window();
   for (int row = 0; row < window.height(); ++row)
   {
     const int j = window.j0 + row;
-    const std::uint32_t* const hits =
-      samples.triangles() + static_cast<std::size_t>(row) * samples.stride();
+    const std::uint32_t* const hits = triangles + static_cast<std::size_t>(row) * samples.stride();
     for (int begin = 0; begin < window.width(); begin += SampleBatch::pieceSize)
     {
       const int i = window.i0 + begin;
@@ -75,7 +74,7 @@ void Painting::paint(const TileSamples& samples, SampleBatch& batch) const
     }
   }
   this->shade(batch);
-  this->Target.storeTriangles(window, samples.triangles(), samples.stride());
+  this->Target.storeTriangles(window, triangles, samples.stride());
 }
 
 void Painting::shade(SampleBatch& batch) const

@@ -29,8 +29,9 @@ public:
   {
   }
 
-  void paintPlainly(const TileSamples& samples) const;
-  void paint(const TileSamples& samples, SampleBatch& batch) const;
+  /// triangles: what each sample sees.
+  void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
+  void paint(const TileSamples& samples, const std::uint32_t* triangles, SampleBatch& batch) const;
   void paintBackground(const Window& pixels) const { this->Target.storeBackground(pixels); }
 
 private:

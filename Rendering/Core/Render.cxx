@@ -185,7 +185,7 @@ private:
   const Binning Binner;
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one a worker
   std::vector<const Bins*> FilledBins;
-  const Casting Caster;
+  const Casting<Nearest> Caster;
   const TrianglePoints Points;
   const LightModel Light;
   const Film Target;

@@ -24,12 +24,12 @@ constexpr std::size_t emptyTileWeight = 2;
 template <typename Body>
 void forBins(const TileGrid& grid, const std::vector<const Bins*>& bins, int tile, Body&& body)
 {
-  const Window rays = grid.window(tile);
+  const Window samples = grid.window(tile);
   for (const TileGrid::Level& level : grid.levels())
   {
     for (const Bins* workerBins : bins)
     {
-      body(*workerBins, level, level.tileAt(rays.i0, rays.j0));
+      body(*workerBins, level, level.tileAt(samples.i0, samples.j0));
     }
   }
 }
@@ -90,7 +90,7 @@ void TileTasks::addShares(int tile, std::size_t shares)
   const auto split = static_cast<int>(this->Splits.size());
   this->Splits.push_back(std::make_unique<SplitTile>());
   this->Splits.back()->remaining = static_cast<int>(shares);
-  this->Splits.back()->rays.reset(this->Frame, this->Part, this->Grid, this->Grid.window(tile));
+  this->Splits.back()->tile.reset(this->Frame, this->Part, this->Grid, this->Grid.window(tile));
   for (std::size_t share = 0; share < shares; ++share)
   {
     this->Tasks.push_back({ tile, static_cast<int>(share), static_cast<int>(shares), split });
@@ -158,28 +158,28 @@ void TileTasks::run(
     this->Painter.paintBackground(this->Grid.window(task.tile));
     return;
   }
-  TileSamples* rays = &memory.rays;
-  rays->reset(this->Frame, this->Part, this->Grid, this->Grid.window(task.tile));
+  TileHits<Nearest>* tile = &memory.tile;
+  tile->reset(this->Frame, this->Part, this->Grid, this->Grid.window(task.tile));
   this->cast(task, bins, memory);
   if (task.split >= 0)
   {
     SplitTile& split = *this->Splits[task.split];
     const std::lock_guard<std::mutex> lock(split.mutex);
-    this->Caster.merge(*rays, split.rays);
+    this->Caster.merge(*tile, split.tile);
     if (--split.remaining > 0)
     {
       return;
     }
-    rays = &split.rays;
+    tile = &split.tile;
   }
   if (!this->Kept.empty())
   {
-    this->Caster.merge(*rays, this->Kept[task.tile]);
-    rays = &this->Kept[task.tile];
+    this->Caster.merge(*tile, this->Kept[task.tile]);
+    tile = &this->Kept[task.tile];
   }
   if (isLastRound)
   {
-    this->paint(*rays, memory);
+    this->paint(*tile, memory);
   }
 }
 
@@ -195,8 +195,8 @@ void TileTasks::cast(const Task& task, const std::vector<const Bins*>& bins, Mem
         {
           if (isMine())
           {
-            this->Kernels ? this->Caster.cast(entries, count, level, memory.rays, memory.triangles)
-                          : this->Caster.castPlainly(entries, count, level, memory.rays);
+            this->Kernels ? this->Caster.cast(entries, count, level, memory.tile, memory.triangles)
+                          : this->Caster.castPlainly(entries, count, level, memory.tile);
           }
         });
       if (this->Grid.isFinest(level))
@@ -206,26 +206,26 @@ void TileTasks::cast(const Task& task, const std::vector<const Bins*>& bins, Mem
           {
             if (isMine())
             {
-              this->Caster.addHits(hits, count, memory.rays);
+              this->Caster.addHits(hits, count, memory.tile);
             }
           });
       }
     });
   if (this->Kernels)
   {
-    this->Caster.flush(memory.rays, memory.triangles);
+    this->Caster.flush(memory.tile, memory.triangles);
   }
 }
 
-void TileTasks::paint(const TileSamples& rays, Memory& memory) const
+void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
 {
   if (this->Kernels)
   {
-    this->Painter.paint(rays, memory.pieces);
+    this->Painter.paint(tile.samples, tile.hits.triangles(), memory.pieces);
   }
   else
   {
-    this->Painter.paintPlainly(rays);
+    this->Painter.paintPlainly(tile.samples, tile.hits.triangles());
   }
 }
 }

@@ -25,7 +25,7 @@ class TileTasks
 public:
   /// kernels: whether to cast and paint with them, or plainly.
   TileTasks(const CameraFrame& frame, const Window& part, const TileGrid& grid,
-    const Casting& casting, const Painting& painting, int workers, bool kernels)
+    const Casting<Nearest>& casting, const Painting& painting, int workers, bool kernels)
     : Frame(frame)
     , Part(part)
     , Grid(grid)
@@ -57,13 +57,13 @@ private:
   struct SplitTile
   {
     std::mutex mutex;
-    TileSamples rays;
+    TileHits<Nearest> tile;
     int remaining;
   };
   /// What a worker needs for the tile at hand.
   struct Memory
   {
-    TileSamples rays;
+    TileHits<Nearest> tile;
     CastBatch triangles;
     SampleBatch pieces;
   };
@@ -76,16 +76,16 @@ private:
   void run(
     const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
   void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
-  void paint(const TileSamples& rays, Memory& memory) const;
+  void paint(const TileHits<Nearest>& tile, Memory& memory) const;
 
   const CameraFrame& Frame;
   const Window Part;
   const TileGrid& Grid;
-  const Casting& Caster;
+  const Casting<Nearest>& Caster;
   const Painting& Painter;
   const bool Kernels;
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one a worker
-  std::vector<TileSamples> Kept;                ///< one a tile, once there is a second round
+  std::vector<TileHits<Nearest>> Kept;          ///< one a tile, once there is a second round
   std::vector<Task> Tasks;
   std::vector<std::size_t> Groups;  ///< of tasks for one worker: first of each, and the end
   std::vector<std::size_t> Batches; ///< of groups: first of each, and the end

@@ -14,10 +14,10 @@
 
 namespace lambent
 {
-/// A ray of the tile, and where it hits a triangle.
+/// A sample of the tile, and where its ray hits a triangle.
 struct ExactHit
 {
-  std::uint32_t ray, triangle;
+  std::uint32_t sample, triangle;
   double depth;
 };
 
@@ -27,7 +27,7 @@ struct CastBatch
 
   int count = 0;
   std::uint32_t triangles[capacity];
-  Window boxes[capacity]; ///< of rays, from the tile's first
+  Window boxes[capacity]; ///< of samples, from the tile's first
   bool cullFront[capacity], cullBack[capacity];
 
   /// The corners' coordinates: ax, ay, az, bx, ... in the world.

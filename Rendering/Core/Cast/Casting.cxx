@@ -10,13 +10,27 @@ namespace lambent
 {
 namespace
 {
-constexpr float infinity = std::numeric_limits<float>::infinity();
+/// Says nothing of a hit: its depth decides.
+constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
+  std::numeric_limits<float>::infinity() };
+
+/// Computes the depth of a triangle at a sample of a tile.
+auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
+{
+  return [&mesh, &samples](std::uint32_t triangle, std::size_t sample)
+  {
+    double depth;
+    mesh.hits(triangle, samples.x(sample), samples.y(sample), depth);
+    return depth;
+  };
+}
 }
 
-Window Casting::boxIn(
-  const TileSamples& rays, const TileGrid::Level& level, const BinEntry& entry) const
+template <typename Policy>
+Window Casting<Policy>::boxIn(
+  const TileSamples& samples, const TileGrid::Level& level, const BinEntry& entry) const
 {
-  const Window& tile = rays.window();
+  const Window& tile = samples.window();
   const Window bin = this->Grid.window(level, tile.i0, tile.j0);
   const int unit = level.unitShift;
   const Window box =
@@ -26,40 +40,43 @@ Window Casting::boxIn(
   return { box.i0 - tile.i0, box.i1 - tile.i0, box.j0 - tile.j0, box.j1 - tile.j0 };
 }
 
-void Casting::castPlainly(
-  const BinEntry* entries, int count, const TileGrid::Level& level, TileSamples& rays) const
+template <typename Policy>
+void Casting<Policy>::castPlainly(
+  const BinEntry* entries, int count, const TileGrid::Level& level, TileHits<Policy>& tile) const
 {
   for (int k = 0; k < count; ++k)
   {
     const BinEntry& entry = entries[k];
-    const Window box = this->boxIn(rays, level, entry);
+    const Window box = this->boxIn(tile.samples, level, entry);
     if (!box.empty())
     {
-      this->test(this->Mesh.triangle(entry.triangle), entry.triangle, box, rays);
+      this->test(this->Mesh.triangle(entry.triangle), entry.triangle, box, tile);
     }
   }
 }
 
-void Casting::test(
-  const FrameTriangle& t, std::uint32_t number, const Window& box, TileSamples& rays) const
+template <typename Policy>
+void Casting<Policy>::test(
+  const FrameTriangle& t, std::uint32_t number, const Window& box, TileHits<Policy>& tile) const
 {
+  const TileSamples& samples = tile.samples;
   for (int j = box.j0; j < box.j1; ++j)
   {
     for (int i = box.i0; i < box.i1; ++i)
     {
       Hit hit;
-      if (t.isHit(rays.xs()[i], rays.ys()[j], hit))
+      if (t.isHit(samples.xs()[i], samples.ys()[j], hit))
       {
-        // No range tells anything here: depths alone decide.
-        rays.offer(static_cast<std::size_t>(j) * rays.stride() + i, hit.depth, number,
-          { -infinity, infinity });
+        tile.hits.offer(static_cast<std::size_t>(j) * samples.stride() + i, number, anyNearness,
+          hit.depth, depthIn(this->Mesh, samples));
       }
     }
   }
 }
 
-void Casting::cast(const BinEntry* entries, int count, const TileGrid::Level& level,
-  TileSamples& rays, CastBatch& batch) const
+template <typename Policy>
+void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::Level& level,
+  TileHits<Policy>& tile, CastBatch& batch) const
 {
   constexpr int atOnce = 32;
   Candidate candidates[atOnce];
@@ -69,17 +86,18 @@ void Casting::cast(const BinEntry* entries, int count, const TileGrid::Level& le
     this->fetch(entries + first, end - first, candidates);
     for (int k = first; k < end; ++k)
     {
-      const Window box = this->boxIn(rays, level, entries[k]);
+      const Window box = this->boxIn(tile.samples, level, entries[k]);
       if (!box.empty())
       {
-        this->add(entries[k].triangle, candidates[k - first], box, rays, batch);
+        this->add(entries[k].triangle, candidates[k - first], box, tile, batch);
       }
     }
   }
 }
 
 // Points lie anywhere in memory: many are asked for before the first is read.
-void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) const
+template <typename Policy>
+void Casting<Policy>::fetch(const BinEntry* entries, int count, Candidate* candidates) const
 {
   for (int k = 0; k < count; ++k)
   {
@@ -94,8 +112,9 @@ void Casting::fetch(const BinEntry* entries, int count, Candidate* candidates) c
   }
 }
 
-void Casting::add(std::uint32_t number, const Candidate& candidate, const Window& box,
-  TileSamples& rays, CastBatch& batch) const
+template <typename Policy>
+void Casting<Policy>::add(std::uint32_t number, const Candidate& candidate, const Window& box,
+  TileHits<Policy>& tile, CastBatch& batch) const
 {
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -110,87 +129,38 @@ void Casting::add(std::uint32_t number, const Candidate& candidate, const Window
   batch.cullBack[batch.count] = candidate.part->appearance->cullBack;
   if (++batch.count == CastBatch::capacity)
   {
-    this->flush(rays, batch);
+    this->flush(tile, batch);
   }
 }
 
-void Casting::flush(TileSamples& rays, CastBatch& batch) const
+template <typename Policy>
+void Casting<Policy>::flush(TileHits<Policy>& tile, CastBatch& batch) const
 {
-  castBatch(this->Frame, batch, rays);
+  castBatch(this->Frame, tile.samples, tile.hits, batch);
   for (const ExactHit& hit : batch.hits)
   {
-    this->offer(hit.ray, hit.depth, hit.triangle, rays);
+    tile.hits.offer(hit.sample, hit.triangle, nearnessOf(hit.depth, this->Frame.parallel),
+      hit.depth, depthIn(this->Mesh, tile.samples));
   }
   batch.count = 0;
   batch.hits.clear();
 }
 
-double Casting::depthAt(std::uint32_t triangle, const TileSamples& rays, std::size_t ray) const
-{
-  double depth;
-  this->Mesh.hits(triangle, rays.x(ray), rays.y(ray), depth);
-  return depth;
-}
-
-void Casting::findDepth(std::size_t ray, TileSamples& rays) const
-{
-  if (!rays.knowsDepth(ray))
-  {
-    rays.setDepth(ray, this->depthAt(rays.triangles()[ray], rays, ray));
-  }
-}
-
-/// A hit that is certain.
-void Casting::offer(const Fragment& hit, TileSamples& rays) const
-{
-  if (hit.nearness.low > rays.highs()[hit.ray])
-  {
-    rays.set(hit.ray, hit.triangle, hit.nearness);
-  }
-  else if (!(hit.nearness.high < rays.lows()[hit.ray]))
-  {
-    this->findDepth(hit.ray, rays);
-    rays.offer(hit.ray, this->depthAt(hit.triangle, rays, hit.ray), hit.triangle, hit.nearness);
-  }
-}
-
-/// A hit of known depth.
-void Casting::offer(std::size_t ray, double depth, std::uint32_t triangle, TileSamples& rays) const
-{
-  const Nearness range = nearnessOf(depth, this->Frame.parallel);
-  if (!(range.high < rays.lows()[ray]))
-  {
-    this->findDepth(ray, rays);
-    rays.offer(ray, depth, triangle, range);
-  }
-}
-
-void Casting::addHits(const Fragment* hits, int count, TileSamples& rays) const
+template <typename Policy>
+void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>& tile) const
 {
   for (int k = 0; k < count; ++k)
   {
-    this->offer(hits[k], rays);
+    tile.hits.offer(
+      hits[k].ray, hits[k].triangle, hits[k].nearness, depthIn(this->Mesh, tile.samples));
   }
 }
 
-void Casting::merge(const TileSamples& from, TileSamples& rays) const
+template <typename Policy>
+void Casting<Policy>::merge(const TileHits<Policy>& from, TileHits<Policy>& tile) const
 {
-  for (std::size_t ray = 0; ray < rays.size(); ++ray)
-  {
-    if (from.triangles()[ray] == noTriangle)
-    {
-      continue;
-    }
-    if (from.knowsDepth(ray))
-    {
-      this->offer(ray, from.depth(ray), from.triangles()[ray], rays);
-    }
-    else
-    {
-      this->offer({ from.triangles()[ray], static_cast<std::uint32_t>(ray),
-                    { from.lows()[ray], from.highs()[ray] } },
-        rays);
-    }
-  }
+  tile.hits.merge(from.hits, this->Frame.parallel, depthIn(this->Mesh, tile.samples));
 }
+
+template class Casting<Nearest>;
 }

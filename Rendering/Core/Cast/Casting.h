@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cast the rays of a tile at the triangles in its bins
+ * @brief cast the rays of a tile's samples at the triangles in its bins
  *
- * A triangle is brought into the camera's frame and tested with intersect()
- * against the rays of its box. That is the definition, and what castPlainly()
- * does. cast() collects triangles and leaves them to the kernel of CastingKernel.h,
- * which gives the same bits.
+ * A triangle is brought into the camera's frame and tested with intersect() against the rays
+ * of its box. That is the definition, and what castPlainly() does. cast() collects triangles
+ * and leaves them to the kernel of CastingKernel.h, which gives the same bits.
  *
- * A hit comes with a range of nearness, or with its depth. Where two ranges do not
- * overlap they tell which hit is nearer; elsewhere both depths are computed.
+ * What becomes of the hits is up to the policy, chosen at compile time: Nearest keeps the
+ * nearest of each sample.
  */
 #ifndef lambent_Casting_h
 #define lambent_Casting_h
@@ -18,10 +17,28 @@
 #include "Bins.h"
 #include "CastBatch.h"
 #include "FrameMesh.h"
+#include "Nearest.h"
 #include "TileSamples.h"
 
 namespace lambent
 {
+/// A tile with the hits of its samples.
+template <typename Policy>
+struct TileHits
+{
+  TileSamples samples;
+  Policy hits;
+
+  /// Start anew, with nothing hit. Windows count from the image's part that is made.
+  void reset(
+    const CameraFrame& frame, const Window& part, const TileGrid& grid, const Window& window)
+  {
+    this->samples.reset(frame, part, grid, window);
+    this->hits.reset(this->samples.size() + TileSamples::widestVector);
+  }
+};
+
+template <typename Policy>
 class Casting
 {
 public:
@@ -32,21 +49,21 @@ public:
   {
   }
 
-  /// Offer to the rays of a tile what they meet of triangles in a bin that it is in, a
-  /// page of them at the most.
+  /// Test a tile's rays against triangles of a bin that the tile lies in, a page of them at
+  /// the most.
   void castPlainly(
-    const BinEntry* entries, int count, const TileGrid::Level& level, TileSamples& rays) const;
+    const BinEntry* entries, int count, const TileGrid::Level& level, TileHits<Policy>& tile) const;
 
-  /// The same with the kernel; some of it is left in the batch until flush().
-  void cast(const BinEntry* entries, int count, const TileGrid::Level& level, TileSamples& rays,
-    CastBatch& batch) const;
-  void flush(TileSamples& rays, CastBatch& batch) const;
+  /// The same with the kernel; some of them stay in the batch until flush().
+  void cast(const BinEntry* entries, int count, const TileGrid::Level& level,
+    TileHits<Policy>& tile, CastBatch& batch) const;
+  void flush(TileHits<Policy>& tile, CastBatch& batch) const;
 
   /// Offer hits that are certain.
-  void addHits(const Fragment* hits, int count, TileSamples& rays) const;
+  void addHits(const Fragment* hits, int count, TileHits<Policy>& tile) const;
 
-  /// Offer all hits of the same rays.
-  void merge(const TileSamples& from, TileSamples& rays) const;
+  /// Offer all hits of the same samples.
+  void merge(const TileHits<Policy>& from, TileHits<Policy>& tile) const;
 
 private:
   /// A triangle whose points are on their way from memory.
@@ -56,22 +73,20 @@ private:
     std::uint64_t corners[3];
   };
   void fetch(const BinEntry* entries, int count, Candidate* candidates) const;
-  void add(std::uint32_t number, const Candidate& candidate, const Window& box, TileSamples& rays,
-    CastBatch& batch) const;
+  void add(std::uint32_t number, const Candidate& candidate, const Window& box,
+    TileHits<Policy>& tile, CastBatch& batch) const;
 
-  Window boxIn(const TileSamples& rays, const TileGrid::Level& level, const BinEntry& entry) const;
+  Window boxIn(
+    const TileSamples& samples, const TileGrid::Level& level, const BinEntry& entry) const;
   void test(const FrameTriangle& triangle, std::uint32_t number, const Window& box,
-    TileSamples& rays) const;
-
-  void offer(const Fragment& hit, TileSamples& rays) const;
-  void offer(std::size_t ray, double depth, std::uint32_t triangle, TileSamples& rays) const;
-  void findDepth(std::size_t ray, TileSamples& rays) const;
-  double depthAt(std::uint32_t triangle, const TileSamples& rays, std::size_t ray) const;
+    TileHits<Policy>& tile) const;
 
   const FrameMesh& Mesh;
   const CameraFrame& Frame;
   const TileGrid& Grid;
 };
+
+extern template class Casting<Nearest>;
 }
 
 #endif

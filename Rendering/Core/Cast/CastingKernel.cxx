@@ -9,6 +9,7 @@
 
 #include "CastingSetup.h"
 #include "ExactRow.h"
+#include "VectorNearest.h"
 
 #include "CastingKernel.h"
 
@@ -19,14 +20,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-using F = hn::CappedTag<float, 16>;
-constexpr F f;
-using Floats = hn::Vec<F>;
-using FloatMask = hn::Mask<F>;
-using U = hn::RebindToUnsigned<F>;
-constexpr U u;
-constexpr auto step = static_cast<int>(hn::MaxLanes(F()));
-
 Floats smallest(Floats a, Floats b, Floats c)
 {
   return hn::Min(hn::Min(a, b), c);
@@ -53,14 +46,10 @@ struct Column
   Floats at(Floats j) const { return hn::Add(this->constant, hn::Mul(this->perRow, j)); }
 };
 
-FloatMask columnsBefore(Floats i, int end)
-{
-  return hn::Lt(i, hn::Set(f, static_cast<float>(end)));
-}
-
-/// Some columns of a triangle's box, from the ray i on.
-void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i, TileSamples& rays,
-  std::vector<ExactHit>& hits)
+/// Some columns of a triangle's box, from the sample i on.
+template <typename VectorPolicy>
+void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i,
+  const TileSamples& samples, const VectorPolicy& policy, std::vector<ExactHit>& hits)
 {
   const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
   const FloatMask inside = columnsBefore(columns, t.box.i1);
@@ -71,9 +60,6 @@ void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i, Ti
   const Floats spread = hn::Set(f, all.spread[lane]);
   const Floats farthest = hn::Set(f, all.farthest[lane]), nearest = hn::Set(f, all.nearest[lane]);
   const FloatMask never = hn::Lt(columns, hn::Zero(f));
-  float* const lows = rays.lows();
-  float* const highs = rays.highs();
-  std::uint32_t* const triangles = rays.triangles();
   for (int row = t.box.j0; row < t.box.j1; ++row)
   {
     const Floats j = hn::Set(f, static_cast<float>(row));
@@ -88,31 +74,22 @@ void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i, Ti
     {
       continue;
     }
-    const std::size_t ray = static_cast<std::size_t>(row) * rays.stride() + i;
+    const std::size_t sample = static_cast<std::size_t>(row) * samples.stride() + i;
     const Floats value = nearness.at(j);
     const Floats from = hn::Max(hn::Sub(value, spread), farthest);
     const Floats to = hn::Min(hn::Add(value, spread), nearest);
-    const Floats oldFrom = hn::LoadU(f, rays.lows() + ray),
-                 oldTo = hn::LoadU(f, rays.highs() + ray);
-    const FloatMask isNearer = hn::And(hit, hn::Gt(from, oldTo));
-    hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), f, lows + ray);
-    hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), f, highs + ray);
-    hn::StoreU(hn::IfThenElse(
-                 hn::RebindMask(u, isNearer), hn::Set(u, t.number), hn::LoadU(u, triangles + ray)),
-      u, triangles + ray);
-    const FloatMask isFarther = hn::Lt(to, oldFrom);
-    open = hn::Or(open, hn::AndNot(hn::Or(isNearer, isFarther), hit));
+    open = hn::Or(open, policy.keep(sample, hit, from, to, t.number));
     if (!hn::AllFalse(f, open))
     {
       std::uint8_t bits[8] = {};
       hn::StoreMaskBits(f, open, bits);
-      exactRow(t, row, i, bits, rays, hits);
+      exactRow(t, row, i, bits, samples, hits);
     }
   }
 }
 
 /// All of the box, exactly.
-void castExactly(const BoxTriangle& t, const TileSamples& rays, std::vector<ExactHit>& hits)
+void castExactly(const BoxTriangle& t, const TileSamples& samples, std::vector<ExactHit>& hits)
 {
   for (int i = t.box.i0; i < t.box.i1; i += step)
   {
@@ -121,35 +98,18 @@ void castExactly(const BoxTriangle& t, const TileSamples& rays, std::vector<Exac
     hn::StoreMaskBits(f, columnsBefore(columns, t.box.i1), bits);
     for (int row = t.box.j0; row < t.box.j1; ++row)
     {
-      exactRow(t, row, i, bits, rays, hits);
+      exactRow(t, row, i, bits, samples, hits);
     }
   }
 }
 
-/// The nearness that all hits of the tile have at least.
-float leastNearness(const TileSamples& rays)
+template <typename VectorPolicy>
+void castTriangles(const CameraFrame& frame, const TileSamples& samples, const VectorPolicy& policy,
+  CastBatch& batch)
 {
-  Floats least = hn::Set(f, std::numeric_limits<float>::infinity());
-  const Window& window = rays.window();
-  for (int i = 0; i < window.width(); i += step)
-  {
-    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
-    const FloatMask inside = columnsBefore(columns, window.width());
-    for (int row = 0; row < window.height(); ++row)
-    {
-      const Floats low =
-        hn::LoadU(f, rays.lows() + static_cast<std::size_t>(row) * rays.stride() + i);
-      least = hn::IfThenElse(inside, hn::Min(least, low), least);
-    }
-  }
-  return hn::GetLane(hn::MinOfLanes(f, least));
-}
-
-void CastBatchOfTriangles(const CameraFrame& frame, CastBatch& batch, TileSamples& rays)
-{
-  const Window& window = rays.window();
-  const TilePlane tile(frame, rays);
-  float least = leastNearness(rays);
+  const Window& window = samples.window();
+  const TilePlane tile(frame, samples);
+  float least = policy.least(samples);
   HWY_ALIGN Triangles all;
   for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
   {
@@ -163,7 +123,7 @@ void CastBatchOfTriangles(const CameraFrame& frame, CastBatch& batch, TileSample
       const BoxTriangle t(all, lane, batch, k + lane);
       if (!all.isRegular(lane))
       {
-        castExactly(t, rays, batch.hits);
+        castExactly(t, samples, batch.hits);
         continue;
       }
       if (all.nearestInBox[lane] < least)
@@ -172,14 +132,20 @@ void CastBatchOfTriangles(const CameraFrame& frame, CastBatch& batch, TileSample
       }
       for (int i = t.box.i0; i < t.box.i1; i += step)
       {
-        castColumns(all, lane, t, i, rays, batch.hits);
+        castColumns(all, lane, t, i, samples, policy, batch.hits);
       }
       if (2 * t.box.width() * t.box.height() > window.width() * window.height())
       {
-        least = leastNearness(rays); // it may well have covered the tile
+        least = policy.least(samples); // it may well have covered the tile
       }
     }
   }
+}
+
+void CastNearest(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch)
+{
+  castTriangles(frame, samples, VectorNearest(nearest), batch);
 }
 }
 }
@@ -189,11 +155,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(CastBatchOfTriangles);
+HWY_EXPORT(CastNearest);
 
-void castBatch(const CameraFrame& frame, CastBatch& batch, TileSamples& rays)
+void castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch)
 {
-  HWY_DYNAMIC_DISPATCH(CastBatchOfTriangles)(frame, batch, rays);
+  HWY_DYNAMIC_DISPATCH(CastNearest)(frame, samples, nearest, batch);
 }
 }
 #endif

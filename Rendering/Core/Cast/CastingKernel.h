@@ -43,13 +43,15 @@
 
 #include "CameraFrame.h"
 #include "CastBatch.h"
+#include "Nearest.h"
 #include "TileSamples.h"
 
 namespace lambent
 {
-/// Keep the certain hits of the batch's triangles in rays; put those that need their
-/// depth computed into batch.hits.
-void castBatch(const CameraFrame& frame, CastBatch& batch, TileSamples& rays);
+/// Keep the certain hits of the batch's triangles; put those that need their depth computed
+/// into batch.hits. One overload for each policy.
+void castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #endif
 
 #include "EdgeFunctions.h"
+#include "Nearness.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lambent

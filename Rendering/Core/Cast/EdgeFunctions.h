@@ -39,14 +39,14 @@ struct TilePlane
   double pixel;
   double width, height; ///< in rays
 
-  TilePlane(const CameraFrame& frame, const TileSamples& rays)
-    : x(rays.xs()[0])
-    , y(rays.ys()[0])
-    , xMax(std::max(std::fabs(x), std::fabs(rays.xs()[rays.window().width() - 1])))
-    , yMax(std::max(std::fabs(y), std::fabs(rays.ys()[rays.window().height() - 1])))
+  TilePlane(const CameraFrame& frame, const TileSamples& samples)
+    : x(samples.xs()[0])
+    , y(samples.ys()[0])
+    , xMax(std::max(std::fabs(x), std::fabs(samples.xs()[samples.window().width() - 1])))
+    , yMax(std::max(std::fabs(y), std::fabs(samples.ys()[samples.window().height() - 1])))
     , pixel(frame.pixel)
-    , width(rays.window().width())
-    , height(rays.window().height())
+    , width(samples.window().width())
+    , height(samples.window().height())
   {
   }
 };

@@ -76,7 +76,7 @@ M intersectRays(const BoxTriangle& t, V x, double row, V& depth)
 
 /// Append the hits of the rays of a row from ray i on for which bits are set.
 void exactRow(const BoxTriangle& t, int row, int i, const std::uint8_t bits[8],
-  const TileSamples& rays, std::vector<ExactHit>& hits)
+  const TileSamples& samples, std::vector<ExactHit>& hits)
 {
   HWY_ALIGN double depths[lanesAtMost];
   for (int from = 0; from < 16; from += static_cast<int>(lanes))
@@ -87,7 +87,7 @@ void exactRow(const BoxTriangle& t, int row, int i, const std::uint8_t bits[8],
       continue;
     }
     V depth;
-    const M hit = intersectRays(t, hn::LoadU(d, rays.xs() + i + from), rays.ys()[row], depth);
+    const M hit = intersectRays(t, hn::LoadU(d, samples.xs() + i + from), samples.ys()[row], depth);
     std::uint8_t hitBits[8] = {};
     hn::StoreMaskBits(d, hit, hitBits);
     hn::Store(depth, d, depths);
@@ -95,8 +95,8 @@ void exactRow(const BoxTriangle& t, int row, int i, const std::uint8_t bits[8],
     {
       if ((hitBits[0] & wanted) >> lane & 1)
       {
-        const int ray = row * rays.stride() + i + from + lane;
-        hits.push_back({ static_cast<std::uint32_t>(ray), t.number, depths[lane] });
+        const int sample = row * samples.stride() + i + from + lane;
+        hits.push_back({ static_cast<std::uint32_t>(sample), t.number, depths[lane] });
       }
     }
   }
