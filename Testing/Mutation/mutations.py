@@ -16,11 +16,10 @@ ELEMENTARY = "Filters/Base/Elementary.cxx"
 LATTICE = "Rendering/Core/Tiles/PointLattice.cxx"
 LATTICE_KERNEL = "Rendering/Core/Tiles/LatticeKernel.cxx"
 COVERAGE = "Rendering/Core/Tiles/CoverageKernel.cxx"
-CASTING = "Rendering/Core/Cast/Casting.cxx"
 EDGES = "Rendering/Core/Cast/EdgeFunctions.h"
 SETUP = "Rendering/Core/Cast/CastingSetup.h"
 EXACT = "Rendering/Core/Cast/ExactRow.h"
-RAYS = "Rendering/Core/Cast/TileSamples.h"
+NEAREST = "Rendering/Core/Cast/Nearest.h"
 SHADING_KERNEL = "Rendering/Core/Light/ShadingKernel.cxx"
 PAINTING = "Rendering/Core/Painting.cxx"
 TRIANGULATION = "Rendering/Core/Scene/Triangulation.cxx"
@@ -110,8 +109,8 @@ MUTATIONS = [
      "what lies too far for float stays open"),
     (COVERAGE, "hn::Mul(hn::Div(one, nearest), more)", "hn::Mul(hn::Div(one, nearest), less)",
      "ranges of nearness hold the nearness"),
-    (CASTING, "if (hit.nearness.low > rays.highs()[hit.ray])",
-     "if (hit.nearness.low > rays.lows()[hit.ray])", "ranges that overlap are settled"),
+    (NEAREST, "if (range.low > this->Highs[sample])",
+     "if (range.low > this->Lows[sample])", "ranges that overlap are settled"),
     (EDGES, "scaled(products, std::ldexp(1.0, -46))", "scaled(products, std::ldexp(1.0, -90))",
      "errors of edge functions"),
     (SETUP, "hn::IfThenElse(isSteady, scaled(spread, 1.001), hn::Set(d, 1e35))",
@@ -126,8 +125,8 @@ MUTATIONS = [
     (EXACT, "hn::And(hit, hn::Le(result.sum, hn::Zero(d)))",
      "hn::And(hit, hn::Ge(result.sum, hn::Zero(d)))",
      "the kernel culls fronts"),
-    (RAYS, "depth == nearest && triangle < this->Triangles[ray]",
-     "depth == nearest && triangle > this->Triangles[ray]",
+    (NEAREST, "depth == nearest && triangle < this->Triangles[sample]",
+     "depth == nearest && triangle > this->Triangles[sample]",
      "the first of two at one depth"),
     # The light model.
     (LIGHT, "light.positional && light.coneAngle < 90.0", "light.positional",
