@@ -34,50 +34,117 @@ bool join(RunRange& range, const SceneMesh::Part& part)
 }
 }
 
+Vec3 Painting::sampleColor(
+  const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const
+{
+  const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
+  return triangle == noTriangle
+    ? this->Target.background(samples.window().j0 + j)
+    : this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j]));
+}
+
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
 {
-  const Window& window = samples.window();
-  for (int j = 0; j < window.height(); ++j)
+  const Window pixels = this->pixelsOf(samples.window());
+  const int n = this->Target.target().samples;
+  for (int j = 0; j < pixels.height(); ++j)
   {
-    for (int i = 0; i < window.width(); ++i)
+    for (int i = 0; i < pixels.width(); ++i)
     {
-      const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-      this->Target.storeColor(window.i0 + i, window.j0 + j,
-        triangle == noTriangle
-          ? this->Target.background(window.j0 + j)
-          : this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j])));
+      this->Target.storeColor(pixels.i0 + i, pixels.j0 + j,
+        Film::average(n,
+          [&](int column, int row)
+          { return this->sampleColor(samples, triangles, n * i + column, n * j + row); }));
     }
   }
-  this->Target.storeTriangles(window, triangles, samples.stride());
+  this->Target.storeTriangles(pixels, triangles, samples.stride());
 }
 
 void Painting::paint(
-  const TileSamples& samples, const std::uint32_t* triangles, SampleBatch& batch) const
+  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
 {
-  const Window& window = samples.window();
-  for (int row = 0; row < window.height(); ++row)
+  if (this->Target.target().samples > 1)
   {
-    const int j = window.j0 + row;
-    const std::uint32_t* const hits = triangles + static_cast<std::size_t>(row) * samples.stride();
-    for (int begin = 0; begin < window.width(); begin += SampleBatch::pieceSize)
-    {
-      const int i = window.i0 + begin;
-      const int width = std::min(SampleBatch::pieceSize, window.width() - begin);
-      if (!batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
-      {
-        this->paintBackground({ i, i + width, j, j + 1 });
-      }
-      else if (batch.isFull())
-      {
-        this->shade(batch);
-      }
-    }
+    this->paintAverages(samples, triangles, memory);
+    return;
   }
-  this->shade(batch);
-  this->Target.storeTriangles(window, triangles, samples.stride());
+  const auto store =
+    [this](const SamplePiece& piece, const double* red, const double* green, const double* blue)
+  { this->Target.storeColors(piece.i, piece.j, piece.width, red, green, blue); };
+  for (int row = 0; row < samples.window().height(); ++row)
+  {
+    this->paintRow(
+      samples, triangles, row, memory.batch,
+      [this](int i, int j, int width) {
+        this->Target.storeBackground({ i, i + width, j, j + 1 });
+      },
+      store);
+  }
+  this->shade(memory.batch, store);
+  this->Target.storeTriangles(samples.window(), triangles, samples.stride());
 }
 
-void Painting::shade(SampleBatch& batch) const
+/// The colours of the whole tile first, then the averages.
+void Painting::paintAverages(
+  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
+{
+  const Window& window = samples.window();
+  const Window pixels = this->pixelsOf(window);
+  const int n = this->Target.target().samples;
+  TileColors& colors = memory.colors;
+  colors.reset(window.width(), window.height());
+  memory.isHit.assign(pixels.height(), 0);
+  const auto store =
+    [&](const SamplePiece& piece, const double* red, const double* green, const double* blue)
+  {
+    const int row = piece.j - window.j0;
+    colors.store(piece.i - window.i0, row, piece.width, red, green, blue);
+    memory.isHit[row / n] = 1;
+  };
+  for (int row = 0; row < window.height(); ++row)
+  {
+    this->paintRow(
+      samples, triangles, row, memory.batch,
+      [&](int i, int j, int width)
+      { colors.fill(i - window.i0, j - window.j0, width, this->Target.background(j)); },
+      store);
+  }
+  this->shade(memory.batch, store);
+  for (int row = 0; row < pixels.height(); ++row)
+  {
+    const Window inRow{ pixels.i0, pixels.i1, pixels.j0 + row, pixels.j0 + row + 1 };
+    memory.isHit[row] ? this->Target.storeAverages(inRow, colors, n * row)
+                      : this->Target.storeBackground(inRow);
+  }
+  this->Target.storeTriangles(pixels, triangles, samples.stride());
+}
+
+/// Calls background(i, j, width) for pieces that hit nothing; others go to the batch.
+template <typename BackgroundOf, typename StoreTo>
+void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
+  SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const
+{
+  const Window& window = samples.window();
+  const int j = window.j0 + row;
+  const std::uint32_t* const hits = triangles + static_cast<std::size_t>(row) * samples.stride();
+  for (int begin = 0; begin < window.width(); begin += SampleBatch::pieceSize)
+  {
+    const int i = window.i0 + begin;
+    const int width = std::min(SampleBatch::pieceSize, window.width() - begin);
+    if (!batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
+    {
+      background(i, j, width);
+    }
+    else if (batch.isFull())
+    {
+      this->shade(batch, store);
+    }
+  }
+}
+
+/// Calls store(piece, red, green, blue) for each piece.
+template <typename StoreTo>
+void Painting::shade(SampleBatch& batch, const StoreTo& store) const
 {
   constexpr int size = SampleBatch::pieceSize;
   for (int piece = 0; piece < batch.pieceCount; ++piece)
@@ -105,9 +172,8 @@ void Painting::shade(SampleBatch& batch) const
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
-    const SamplePiece& samples = batch.pieces[piece];
-    this->Target.storeColors(samples.i, samples.j, samples.width, batch.colors[0] + piece * size,
-      batch.colors[1] + piece * size, batch.colors[2] + piece * size);
+    store(batch.pieces[piece], batch.colors[0] + piece * size, batch.colors[1] + piece * size,
+      batch.colors[2] + piece * size);
   }
   batch.clear();
 }

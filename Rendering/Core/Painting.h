@@ -4,6 +4,8 @@
  * @file
  * @brief shade the samples of a tile and give their colours to the film
  *
+ * Windows and rows count in samples here.
+ *
  * paintPlainly() finds the surface point of one sample after the other and is the definition.
  * paint() takes rows piece by piece, which begin as background, and leaves the hits on
  * surfaces that are shaded alike to a kernel, which gives the same bits.
@@ -17,8 +19,19 @@
 #include "TileSamples.h"
 #include "TrianglePoints.h"
 
+#include <vector>
+
 namespace lambent
 {
+/// What a worker needs for the tile at hand.
+struct PaintingMemory
+{
+  SampleBatch batch;
+  // Where pixels have several samples.
+  TileColors colors;
+  std::vector<unsigned char> isHit; ///< rows of pixels
+};
+
 class Painting
 {
 public:
@@ -31,11 +44,27 @@ public:
 
   /// triangles: what each sample sees.
   void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
-  void paint(const TileSamples& samples, const std::uint32_t* triangles, SampleBatch& batch) const;
-  void paintBackground(const Window& pixels) const { this->Target.storeBackground(pixels); }
+  void paint(
+    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
+  void paintBackground(const Window& samples) const
+  {
+    this->Target.storeBackground(this->pixelsOf(samples));
+  }
 
 private:
-  void shade(SampleBatch& batch) const;
+  Window pixelsOf(const Window& samples) const
+  {
+    const int n = this->Target.target().samples;
+    return { samples.i0 / n, samples.i1 / n, samples.j0 / n, samples.j1 / n };
+  }
+  Vec3 sampleColor(const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const;
+  template <typename BackgroundOf, typename StoreTo>
+  void paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
+    SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const;
+  void paintAverages(
+    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
+  template <typename StoreTo>
+  void shade(SampleBatch& batch, const StoreTo& store) const;
   bool nextRange(SampleBatch& batch, RunRange& range) const;
   static void shadeUnlit(const RunRange& range, SampleBatch& batch);
   static void loadReflection(const RunRange& range, SampleBatch& batch);

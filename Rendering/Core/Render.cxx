@@ -16,6 +16,12 @@ constexpr double binningShare = 0.3;
 /// How many points or triangles are worked off between two looks at progress.
 constexpr std::size_t batchSize = 1024 * 1024;
 
+/// Tiles hold whole pixels.
+int tileSize(const Settings& settings, int samples)
+{
+  return std::max(1, (1 << settings.tileShift) / samples) * samples;
+}
+
 class Picture
 {
 public:
@@ -25,19 +31,20 @@ public:
     , Tell(progress)
     , How(settings)
     , Mesh(scene.surfaces)
-    , Frame(scene.camera, image.width, image.height)
-    , Lattice(this->Frame, image.part)
+    , Samples(image.samplePart())
+    , Frame(scene.camera, image.width * image.samples, image.height * image.samples)
+    , Lattice(this->Frame, this->Samples)
     , Positions(new LatticePosition[this->Mesh.pointCount()])
-    , Grid(image.part.width(), image.part.height(), settings.tileShift)
+    , Grid(this->Samples.width(), this->Samples.height(), tileSize(settings, image.samples))
     , InFrame(this->Mesh, this->Frame)
-    , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, image.part,
+    , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, this->Samples,
         settings.culling, settings.kernels)
     , Caster(this->InFrame, this->Grid)
     , Points(this->InFrame, scene.twoSidedLighting)
     , Light(scene, this->Frame.eye)
     , Target(scene, image)
     , Painter(this->Points, this->Light, this->Target)
-    , Work(this->Frame, image.part, this->Grid, this->Caster, this->Painter, parallel.workers(),
+    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, parallel.workers(),
         settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
@@ -177,6 +184,7 @@ private:
   const Progress& Tell;
   const Settings How;
   const SceneMesh Mesh;
+  const Window Samples; ///< of the image's part
   const CameraFrame Frame;
   const PointLattice Lattice;
   const std::unique_ptr<LatticePosition[]> Positions;

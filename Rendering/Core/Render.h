@@ -37,18 +37,19 @@ namespace lambent
 /// How the work is cut. None of it changes a bit of the picture.
 struct Settings
 {
-  int tileShift = 5;                 ///< tiles are 2^tileShift pixels wide
+  int tileShift = 5;                 ///< tiles are 2^tileShift samples wide, or somewhat less
   std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
   std::size_t binPages = 128 * 1024; ///< of 1 kB, before the tiles are processed
   bool culling = true;               ///< drop triangles between the rays
   /// Locate, cast and shade with vectors.
   bool kernels = areVectorsInUse();
 
-  /// Every triangle against every ray, one at a time: the definition of the picture.
-  static Settings bruteForce(const Window& part)
+  /// Every triangle against every ray, one at a time: the definition of the picture. The part
+  /// of the image counts in samples.
+  static Settings bruteForce(const Window& samplePart)
   {
     Settings settings;
-    while (std::max(part.width(), part.height()) > 1 << settings.tileShift)
+    while (std::max(samplePart.width(), samplePart.height()) > 1 << settings.tileShift)
     {
       ++settings.tileShift;
     }

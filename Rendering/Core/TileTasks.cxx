@@ -221,7 +221,7 @@ void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
 {
   if (this->Kernels)
   {
-    this->Painter.paint(tile.samples, tile.hits.triangles(), memory.pieces);
+    this->Painter.paint(tile.samples, tile.hits.triangles(), memory.painting);
   }
   else
   {

@@ -65,7 +65,7 @@ private:
   {
     TileHits<Nearest> tile;
     CastBatch triangles;
-    SampleBatch pieces;
+    PaintingMemory painting;
   };
 
   std::size_t countPages(const std::vector<const Bins*>& bins, int tile) const;

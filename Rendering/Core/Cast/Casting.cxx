@@ -152,7 +152,7 @@ void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>&
   for (int k = 0; k < count; ++k)
   {
     tile.hits.offer(
-      hits[k].ray, hits[k].triangle, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+      hits[k].sample, hits[k].triangle, hits[k].nearness, depthIn(this->Mesh, tile.samples));
   }
 }
 

@@ -28,7 +28,7 @@ public:
     const CameraFrame& frame, const Window& part, const TileGrid& grid, const Window& samples)
   {
     this->Samples = samples;
-    this->Stride = 1 << grid.rayShift();
+    this->Stride = 1 << grid.rowShift();
     this->Xs.resize(this->Stride + widestVector);
     this->Ys.resize(this->Stride + widestVector);
     for (int k = 0; k < this->Stride; ++k)

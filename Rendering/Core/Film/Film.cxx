@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Film.h"
 
+#include "AverageKernel.h"
 #include "ByteKernel.h"
 #include "ImageContract.h"
 
@@ -31,19 +32,25 @@ void repeat(const Channel (&color)[3], int count, Channel* out)
 Film::Film(const Scene& scene, const Image& image)
   : Target(image)
 {
-  this->Backgrounds.reserve(image.part.height());
+  const Window samples = image.samplePart();
+  const double height = static_cast<double>(image.height) * image.samples;
+  for (int j = samples.j0; j < samples.j1; ++j)
+  {
+    this->SampleBackgrounds.push_back(
+      scene.background + (scene.backgroundTop - scene.background) * ((j + 0.5) / height));
+  }
   for (int j = 0; j < image.part.height(); ++j)
   {
-    this->Backgrounds.push_back(this->backgroundOf(scene, j));
+    this->Backgrounds.push_back(this->backgroundOf(j));
   }
 }
 
-Film::Background Film::backgroundOf(const Scene& scene, int j) const
+Film::Background Film::backgroundOf(int j) const
 {
-  const int row = this->Target.part.j0 + j;
+  const int n = this->Target.samples;
   Background result;
-  result.color = scene.background +
-    (scene.backgroundTop - scene.background) * ((row + 0.5) / this->Target.height);
+  result.color =
+    average(n, [&](int, int row) -> const Vec3& { return this->SampleBackgrounds[j * n + row]; });
   for (int channel = 0; channel < 3; ++channel)
   {
     result.bytes[channel] = toByte(result.color[channel]);
@@ -107,12 +114,38 @@ void Film::storeColors(
   }
 }
 
+void Film::storeAverages(const Window& pixels, const TileColors& colors, int row) const
+{
+  constexpr int size = 32, room = size + 8;
+  double averages[3][room] = {};
+  const int n = this->Target.samples;
+  for (int j = pixels.j0; j < pixels.j1; ++j, row += n)
+  {
+    for (int begin = 0; begin < pixels.width(); begin += size)
+    {
+      const int count = std::min(size, pixels.width() - begin);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        averageSamples(
+          colors.row(channel, row) + begin * n, colors.stride(), n, count, averages[channel]);
+      }
+      this->storeColors(pixels.i0 + begin, j, count, averages[0], averages[1], averages[2]);
+    }
+  }
+}
+
 void Film::storeTriangles(const Window& pixels, const std::uint32_t* triangles, int stride) const
 {
+  const int n = this->Target.samples;
   for (int row = 0; this->Target.triangles && row < pixels.height(); ++row)
   {
-    std::copy_n(triangles + static_cast<std::size_t>(row) * stride, pixels.width(),
-      this->Target.triangles + this->pixel(pixels.i0, pixels.j0 + row));
+    const std::uint32_t* const from =
+      triangles + static_cast<std::size_t>(row * n + n / 2) * stride + n / 2;
+    std::uint32_t* const to = this->Target.triangles + this->pixel(pixels.i0, pixels.j0 + row);
+    for (int i = 0; i < pixels.width(); ++i)
+    {
+      to[i] = from[i * n];
+    }
   }
 }
 }

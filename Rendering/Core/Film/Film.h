@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief write pixels: colours as bytes or floats, the background, the triangles seen
+ * @brief samples become pixels: averages, as bytes or floats; the background; the triangles seen
  *
- * The film is told the colour of each sample and does not ask what was hit.
+ * With n samples along each axis a pixel is the sum of its n^2 linear values, rows from the
+ * bottom, each from the left, divided by n^2 (a box filter). average() is the definition;
+ * AverageKernel.h does the same for many pixels. The film does not ask what was hit.
  */
 #ifndef lambent_Film_h
 #define lambent_Film_h
 
 #include "Image.h"
 #include "Scene.h"
+#include "TileColors.h"
 
 #include <cstddef>
 #include <vector>
@@ -24,8 +27,8 @@ public:
 
   const Image& target() const { return this->Target; }
 
-  /// In a row of the image's part.
-  const Vec3& background(int j) const { return this->Backgrounds[j].color; }
+  /// Of the samples in a row of the image's part.
+  const Vec3& background(int j) const { return this->SampleBackgrounds[j]; }
 
   // Pixels count from the image's part.
   void storeBackground(const Window& pixels) const;
@@ -33,8 +36,23 @@ public:
   /// Of `count` pixels, at most 32, from (i, j) on; there must be 32 values a channel.
   void storeColors(
     int i, int j, int count, const double* red, const double* green, const double* blue) const;
-  /// Of the pixels of a window, whose rows begin `stride` apart.
+  /// Of the pixels of a window, whose samples begin in that row of `colors`.
+  void storeAverages(const Window& pixels, const TileColors& colors, int row) const;
+  /// Of the pixels of a window, from those of its samples, whose rows begin `stride` apart.
   void storeTriangles(const Window& pixels, const std::uint32_t* triangles, int stride) const;
+
+  /// colorOf(i, j): of the sample in that column and row of the pixel.
+  template <typename ColorOf>
+  static Vec3 average(int samples, const ColorOf& colorOf)
+  {
+    Vec3 sum = colorOf(0, 0);
+    for (int k = 1; k < samples * samples; ++k)
+    {
+      sum = sum + colorOf(k % samples, k / samples);
+    }
+    const double count = samples * samples;
+    return { sum.x / count, sum.y / count, sum.z / count };
+  }
 
 private:
   /// As it is and as it is stored.
@@ -44,14 +62,15 @@ private:
     unsigned char bytes[3];
     float floats[3];
   };
-  Background backgroundOf(const Scene& scene, int j) const;
+  Background backgroundOf(int j) const;
   std::size_t pixel(int i, int j) const
   {
     return static_cast<std::size_t>(j) * this->Target.part.width() + i;
   }
 
   const Image Target;
-  std::vector<Background> Backgrounds; ///< of each row of the part
+  std::vector<Vec3> SampleBackgrounds; ///< of each row of samples of the part
+  std::vector<Background> Backgrounds; ///< of each row of pixels
 };
 }
 

@@ -35,7 +35,7 @@ struct BinEntry
 struct Fragment
 {
   std::uint32_t triangle;
-  std::uint32_t ray; ///< of the tile
+  std::uint32_t sample; ///< of the tile
   Nearness nearness;
 };
 
@@ -141,7 +141,7 @@ public:
   explicit Bins(const TileGrid& grid)
     : Grid(&grid)
     , Finest(grid.levels().front())
-    , RayShift(grid.rayShift())
+    , RowShift(grid.rowShift())
     , Triangles(grid.totalCount())
     , Hits(grid.tileCount())
   {
@@ -162,12 +162,12 @@ public:
   void insert(std::uint32_t triangle, const Window& rays, bool isExact)
   {
     const TileGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
-    const int size = 1 << level.shift;
-    for (int j = rays.j0 >> level.shift << level.shift; j < rays.j1; j += size)
+    const int size = level.size;
+    for (int j = level.beginOf(rays.j0); j < rays.j1; j += size)
     {
-      for (int i = rays.i0 >> level.shift << level.shift; i < rays.i1; i += size)
+      for (int i = level.beginOf(rays.i0); i < rays.i1; i += size)
       {
-        const Window part = intersection(rays, { i, i + size, j, j + size });
+        const Window part = intersection(rays, this->Grid->window(level, i, j));
         const auto step = [&level](int ray)
         { return static_cast<std::uint8_t>(ray >> level.unitShift); };
         this->Triangles.append(level.tileAt(i, j),
@@ -177,19 +177,20 @@ public:
     }
   }
 
-  /// Hand a hit of the ray (i, j) to its tile.
+  /// Hand a hit of the sample (i, j) to its tile.
   void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
   {
-    const int inTile = (1 << this->Finest.shift) - 1;
-    const int ray = ((j & inTile) << this->RayShift) + (i & inTile);
+    const TileGrid::Level& level = this->Finest;
+    const int column = level.tileOf(i), row = level.tileOf(j);
+    const int sample = ((j - row * level.size) << this->RowShift) + (i - column * level.size);
     this->Hits.append(
-      this->Finest.tileAt(i, j), { triangle, static_cast<std::uint32_t>(ray), nearness });
+      row * level.columns + column, { triangle, static_cast<std::uint32_t>(sample), nearness });
   }
 
 private:
   const TileGrid* Grid;
   const TileGrid::Level Finest;
-  const int RayShift;
+  const int RowShift;
   PagedBins<BinEntry> Triangles;
   PagedBins<Fragment> Hits;
 };

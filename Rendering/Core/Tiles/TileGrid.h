@@ -2,22 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the rays of the image, grouped into square tiles, on several levels
+ * @brief the samples of the image, grouped into square tiles, on several levels
  *
- * The finest tiles are the units of work: each casts and shades its rays alone.
+ * The finest tiles are the units of work: each casts and shades its samples alone.
  * A triangle that spans more than two of them along an axis is kept once, in a
  * tile of a coarser level that is eight times as wide, instead of in every fine
  * tile below; so no triangle is kept in more than four places, and one that
  * covers the whole image costs no more memory than a small one. A fine tile reads
  * its own triangles and those of the coarser tiles above it.
  *
- * Sizes are powers of two, so that a ray's tile is found by shifting.
+ * A tile holds whole pixels. Where its size is a power of two, a sample's tile is found by
+ * shifting.
  */
 #ifndef lambent_TileGrid_h
 #define lambent_TileGrid_h
 
 #include "Window.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lambent
@@ -27,36 +30,44 @@ class TileGrid
 public:
   struct Level
   {
-    int shift; ///< a tile is 2^shift rays wide
+    int size;  ///< of a tile, in samples
+    int shift; ///< log2 of the size, -1 if it is no power of two
     int columns, rows;
     int first;     ///< number of the level's first tile, counted over all levels
-    int unitShift; ///< boxes in a tile count in 2^unitShift rays, so that 256 steps do
+    int unitShift; ///< boxes in a tile count in 2^unitShift samples, so that 256 steps do
+
+    /// Along an axis: the tile of a sample, and the first sample of that tile.
+    int tileOf(int k) const { return this->shift >= 0 ? k >> this->shift : k / this->size; }
+    int beginOf(int k) const { return this->tileOf(k) * this->size; }
 
     int tileAt(int i, int j) const
     {
-      return this->first + (j >> this->shift) * this->columns + (i >> this->shift);
+      return this->first + this->tileOf(j) * this->columns + this->tileOf(i);
     }
   };
 
-  /// A grid over width x height rays, with finest tiles of 2^shift rays. Pixels
-  /// count from 0 here. There are at least two levels.
-  TileGrid(int width, int height, int shift)
+  /// A grid over width x height samples, with finest tiles of size x size. Samples count from
+  /// 0 here. There are at least two levels.
+  TileGrid(int width, int height, int size)
     : Whole{ 0, width, 0, height }
   {
-    constexpr int coarser = 3;
-    for (int first = 0;
+    constexpr int coarser = 8;
+    for (std::int64_t next = size, first = 0;
          this->Levels.size() < 2 || this->Levels.back().columns > 2 || this->Levels.back().rows > 2;
-         shift += coarser)
+         next *= coarser)
     {
-      const int columns = ((width - 1) >> shift) + 1, rows = ((height - 1) >> shift) + 1;
-      this->Levels.push_back({ shift, columns, rows, first, std::max(0, shift - 8) });
-      first += columns * rows;
-      this->Total = first;
+      this->addLevel(static_cast<int>(std::min(next, largestSize)), static_cast<int>(first));
+      first += static_cast<std::int64_t>(this->Levels.back().columns) * this->Levels.back().rows;
+      this->Total = static_cast<int>(first);
+    }
+    while (1 << this->RowShift < size)
+    {
+      ++this->RowShift;
     }
   }
 
-  /// A finest tile's rays are numbered row by row, 2^rayShift() a row.
-  int rayShift() const { return this->Levels[0].shift; }
+  /// A finest tile's samples are numbered row by row, 2^rowShift() a row.
+  int rowShift() const { return this->RowShift; }
 
   const Window& whole() const { return this->Whole; }
   const std::vector<Level>& levels() const { return this->Levels; }
@@ -67,24 +78,23 @@ public:
   /// Over all levels.
   int totalCount() const { return this->Total; }
 
-  /// The rays of the tile of a level that (i, j) is in, clipped to the image.
+  /// The samples of the tile of a level that (i, j) is in, clipped to the image.
   Window window(const Level& level, int i, int j) const
   {
-    const int i0 = i >> level.shift << level.shift, j0 = j >> level.shift << level.shift;
-    return intersection({ i0, i0 + (1 << level.shift), j0, j0 + (1 << level.shift) }, this->Whole);
+    return this->windowFrom(level, level.beginOf(i), level.beginOf(j));
   }
-  /// The rays of a finest tile.
+  /// The samples of a finest tile.
   Window window(int tile) const
   {
     const Level& finest = this->Levels[0];
-    return this->window(
-      finest, tile % finest.columns << finest.shift, tile / finest.columns << finest.shift);
+    return this->windowFrom(
+      finest, tile % finest.columns * finest.size, tile / finest.columns * finest.size);
   }
 
-  /// The finest level, from one on, on which rays fall into at most two by two tiles.
-  const Level& levelFor(const Window& rays, std::size_t from = 0) const
+  /// The finest level, from one on, on which samples fall into at most two by two tiles.
+  const Level& levelFor(const Window& samples, std::size_t from = 0) const
   {
-    while (spans(rays, this->Levels[from].shift))
+    while (spans(samples, this->Levels[from]))
     {
       ++from;
     }
@@ -92,15 +102,40 @@ public:
   }
 
 private:
-  static bool spans(const Window& rays, int shift)
+  /// Of a tile: as large as any image, and its end is still a number.
+  static constexpr std::int64_t largestSize = 1 << 30;
+
+  void addLevel(int size, int first)
   {
-    return ((rays.i1 - 1) >> shift) - (rays.i0 >> shift) > 1 ||
-      ((rays.j1 - 1) >> shift) - (rays.j0 >> shift) > 1;
+    Level level{ size, -1, (this->Whole.i1 - 1) / size + 1, (this->Whole.j1 - 1) / size + 1, first,
+      0 };
+    for (int shift = 0; shift < 31; ++shift)
+    {
+      level.shift = 1 << shift == size ? shift : level.shift;
+    }
+    while ((size - 1) >> level.unitShift > 255)
+    {
+      ++level.unitShift;
+    }
+    this->Levels.push_back(level);
+  }
+
+  Window windowFrom(const Level& level, int i0, int j0) const
+  {
+    return { i0, i0 + std::min(level.size, this->Whole.i1 - i0), j0,
+      j0 + std::min(level.size, this->Whole.j1 - j0) };
+  }
+
+  static bool spans(const Window& samples, const Level& level)
+  {
+    return level.tileOf(samples.i1 - 1) - level.tileOf(samples.i0) > 1 ||
+      level.tileOf(samples.j1 - 1) - level.tileOf(samples.j0) > 1;
   }
 
   Window Whole;
   std::vector<Level> Levels;
   int Total = 0;
+  int RowShift = 0;
 };
 }
 

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture with n samples along each axis of a pixel is, by definition, the picture of n times
+// its size, averaged. Neither instruction sets nor threads, tiles or parts may change a bit.
+#include "InstructionSets.h"
+#include "LightModel.h"
+#include "RandomScenes.h"
+#include "Render.h"
+#include "ThreadedParallel.h"
+#include "TrianglePoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace lambent;
+
+namespace
+{
+struct Picture
+{
+  std::vector<float> floats;
+  std::vector<std::uint32_t> triangles;
+
+  bool operator==(const Picture& other) const
+  {
+    return this->floats.size() == other.floats.size() &&
+      std::memcmp(this->floats.data(), other.floats.data(), this->floats.size() * sizeof(float)) ==
+      0 &&
+      this->triangles == other.triangles;
+  }
+};
+
+Picture makePicture(const RandomScene& random, int samples, const Window& part,
+  const Settings& settings, const Parallel& parallel = Parallel())
+{
+  Picture picture;
+  picture.floats.assign(3u * part.width() * part.height(), -1.0f);
+  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // nobody's
+  Image image;
+  image.width = random.width;
+  image.height = random.height;
+  image.part = part;
+  image.samples = samples;
+  image.floats = picture.floats.data();
+  image.triangles = picture.triangles.data();
+  EXPECT_EQ(render(random.scene, image, parallel, nullptr, settings).outcome, Outcome::Done);
+  return picture;
+}
+
+Window whole(const RandomScene& random)
+{
+  return { 0, random.width, 0, random.height };
+}
+
+Picture makeByBruteForce(const RandomScene& random, int samples)
+{
+  return makePicture(random, samples, whole(random),
+    Settings::bruteForce({ 0, random.width * samples, 0, random.height * samples }));
+}
+
+/// A scene of a seed, small enough for brute force with many samples.
+RandomScene makeSmallScene(unsigned int seed)
+{
+  RandomScene random = makeRandomScene(seed);
+  random.width = 1 + static_cast<int>(seed % 23);
+  random.height = 1 + static_cast<int>(seed % 17);
+  return random;
+}
+
+/// The part of a picture that lies in a window of it.
+Picture cut(const Picture& picture, int width, const Window& part)
+{
+  Picture result;
+  for (int j = part.j0; j < part.j1; ++j)
+  {
+    for (int i = part.i0; i < part.i1; ++i)
+    {
+      const float* const pixel = &picture.floats[3 * (j * width + i)];
+      result.floats.insert(result.floats.end(), pixel, pixel + 3);
+      result.triangles.push_back(picture.triangles[j * width + i]);
+    }
+  }
+  return result;
+}
+}
+
+// The definition, written as plainly as can be, from the triangles that the larger picture shows.
+TEST(Supersampling, AveragesTheLargerPicture)
+{
+  for (unsigned int seed = 0; seed < 60 && !HasFailure(); ++seed)
+  {
+    const RandomScene random = makeSmallScene(seed);
+    const int n = 1 + static_cast<int>(seed % 6);
+    RandomScene larger = makeSmallScene(seed);
+    larger.width *= n;
+    larger.height *= n;
+    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, 1).triangles;
+    const SceneMesh mesh(random.scene.surfaces);
+    const CameraFrame frame(random.scene.camera, larger.width, larger.height);
+    const FrameMesh inFrame(mesh, frame);
+    const TrianglePoints points(inFrame, random.scene.twoSidedLighting);
+    const LightModel light(random.scene, frame.eye);
+    const Picture picture = makeByBruteForce(random, n);
+    for (int pixel = 0; pixel < random.width * random.height; ++pixel)
+    {
+      const int i0 = n * (pixel % random.width), j0 = n * (pixel / random.width);
+      Vec3 sum;
+      for (int k = 0; k < n * n; ++k)
+      {
+        const int i = i0 + k % n, j = j0 + k / n;
+        const std::uint32_t triangle = seen[j * larger.width + i];
+        const Vec3 background = random.scene.background +
+          (random.scene.backgroundTop - random.scene.background) * ((j + 0.5) / larger.height);
+        const Vec3 color = triangle == noTriangle
+          ? background
+          : light.color(points.at(triangle, frame.x(i), frame.y(j)));
+        sum = k == 0 ? color : sum + color;
+      }
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        EXPECT_EQ(picture.floats[3 * pixel + channel],
+          static_cast<float>(sum[channel] / static_cast<double>(n * n)))
+          << "seed " << seed << ", pixel " << pixel << ", " << n << " samples";
+      }
+      EXPECT_EQ(picture.triangles[pixel], seen[(j0 + n / 2) * larger.width + i0 + n / 2]);
+    }
+  }
+}
+
+TEST(Supersampling, EqualsBruteForceInEveryInstructionSet)
+{
+  for (unsigned int seed = 100; seed < 140 && !HasFailure(); ++seed)
+  {
+    const RandomScene random = makeSmallScene(seed);
+    const int n = 2 + static_cast<int>(seed % 15);
+    const Picture expected = makeByBruteForce(random, n);
+    onAllTargets(
+      [&]()
+      {
+        Settings settings;
+        settings.tileShift = static_cast<int>(seed % 7); // also tiles of a single pixel
+        EXPECT_TRUE(makePicture(random, n, whole(random), settings) == expected)
+          << "seed " << seed << ", " << n << " samples";
+        EXPECT_TRUE(
+          makePicture(random, n, whole(random), Settings(), ThreadedParallel(3)) == expected)
+          << "seed " << seed << ", " << n << " samples, three workers";
+      });
+  }
+}
+
+TEST(Supersampling, PartsEqualThoseOfTheWhole)
+{
+  for (unsigned int seed = 200; seed < 240; ++seed)
+  {
+    const RandomScene random = makeSmallScene(seed);
+    const int n = 2 + static_cast<int>(seed % 4);
+    const Window part{ random.width / 3, random.width, random.height / 2, random.height };
+    EXPECT_TRUE(makePicture(random, n, part, Settings()) ==
+      cut(makePicture(random, n, whole(random), Settings()), random.width, part))
+      << "seed " << seed << ", " << n << " samples";
+  }
+}
+
+// Bins that fill up: tiles keep their hits from round to round.
+TEST(Supersampling, GoesOnInSeveralRounds)
+{
+  Settings settings;
+  settings.binPages = 1;
+  settings.chunk = 7;
+  for (unsigned int seed = 300; seed < 320; ++seed)
+  {
+    const RandomScene random = makeSmallScene(seed);
+    EXPECT_TRUE(makePicture(random, 3, whole(random), settings) == makeByBruteForce(random, 3))
+      << "seed " << seed;
+  }
+}
