@@ -65,6 +65,38 @@ void addCloud(MeshArrays& mesh, Random& random, std::size_t count, double radius
     addFacet(mesh, a, b, moved(a, random.direction(), size));
   }
 }
+
+/// 384 triangles: twelve rings of sixteen points, and the poles.
+void addSphere(MeshArrays& mesh, const Triple& center, double radius)
+{
+  constexpr int around = 16, rings = 12;
+  const auto add = [&](double latitude, double longitude)
+  {
+    const Triple normal{ std::cos(latitude) * std::cos(longitude), std::sin(latitude),
+      std::cos(latitude) * std::sin(longitude) };
+    return mesh.addPoint(moved(center, normal, radius), normal);
+  };
+  constexpr double pi = 3.141592653589793;
+  const vtkIdType south = add(-0.5 * pi, 0.0), north = add(0.5 * pi, 0.0), first = north + 1;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int k = 0; k < around; ++k)
+    {
+      add(pi * ((ring + 1.0) / (rings + 1) - 0.5), -2.0 * pi * k / around);
+    }
+  }
+  for (int k = 0; k < around; ++k)
+  {
+    const vtkIdType a = first + k, b = first + (k + 1) % around, top = (rings - 1) * around;
+    mesh.addTriangle(south, b, a);
+    mesh.addTriangle(north, a + top, b + top);
+    for (vtkIdType ring = 0; ring < top; ring += around)
+    {
+      mesh.addTriangle(a + ring, b + ring, b + ring + around);
+      mesh.addTriangle(a + ring, b + ring + around, a + ring + around);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -170,6 +202,26 @@ vtkSmartPointer<vtkPolyData> makeBox()
   {
     addFacet(mesh, corners[face[0]], corners[face[1]], corners[face[2]]);
     addFacet(mesh, corners[face[0]], corners[face[2]], corners[face[3]]);
+  }
+  return mesh.toPolyData();
+}
+
+vtkSmartPointer<vtkPolyData> makeFacets()
+{
+  Random random;
+  MeshArrays mesh;
+  addCloud(mesh, random, 100000, 1.0, 0.02);
+  return mesh.toPolyData();
+}
+
+vtkSmartPointer<vtkPolyData> makeSpheres()
+{
+  Random random;
+  MeshArrays mesh;
+  for (int k = 0; k < 3000; ++k)
+  {
+    const double x = random(-1, 1), y = random(-1, 1);
+    addSphere(mesh, { x, y, random(-1, 1) }, 0.05);
   }
   return mesh.toPolyData();
 }

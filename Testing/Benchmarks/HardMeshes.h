@@ -3,7 +3,7 @@
 /**
  * @file
  * @brief meshes that a tree of triangles is good at and a stream of them is not, or
- * whose work is hard to share out
+ * whose work is hard to share out; and meshes of many pieces
  */
 #ifndef HardMeshes_h
 #define HardMeshes_h
@@ -29,6 +29,12 @@ vtkSmartPointer<vtkPolyData> makeCurtain();
 
 /// Two million facets that fall between the rays, and in the end 2,000 large ones.
 vtkSmartPointer<vtkPolyData> makeLate();
+
+/// 100,000 triangles in a cube, no point shared.
+vtkSmartPointer<vtkPolyData> makeFacets();
+
+/// 3,000 spheres of 384 triangles in a cube.
+vtkSmartPointer<vtkPolyData> makeSpheres();
 
 /// Twelve triangles.
 vtkSmartPointer<vtkPolyData> makeBox();

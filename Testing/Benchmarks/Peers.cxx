@@ -60,6 +60,11 @@ OpenGLRenderer& Peers::opengl()
   return madeOnce(this->OpenGL, this->Scene);
 }
 
+ManySurfaces& Peers::surfaces()
+{
+  return madeOnce(this->Surfaces, this->Scene);
+}
+
 std::vector<Contest> Peers::all()
 {
   std::vector<Contest> contests;
@@ -83,6 +88,12 @@ std::vector<Contest> Peers::all()
   addNormals("vtkLambentNormals", NormalsFilter::Lambent);
   addNormals("vtkPolyDataNormals", NormalsFilter::PolyData);
   addNormals("vtkTriangleMeshPointNormals", NormalsFilter::TriangleMeshPoint);
+  if (this->Scene.pieces > 1)
+  {
+    contests.push_back({ "surfaces/inputs", [this]() { return this->surfaces().renderInputs(); } });
+    contests.push_back({ "surfaces/one", [this]() { return this->surfaces().renderOne(); } });
+    contests.push_back({ "surfaces/many", [this]() { return this->surfaces().renderMany(); } });
+  }
   for (std::size_t k = 0, count = contests.size(); k < count; ++k)
   {
     contests.push_back(onOneThread(contests[k]));

@@ -13,6 +13,8 @@
  *     opengl/new-mesh               that of another mesh in the same window
  *     opengl/next                   the same mesh again
  *     normals/FILTER                vtkLambentNormals and its peers
+ *     surfaces/inputs               vtkLambentRayTracer with each piece of the mesh as an input
+ *     surfaces/one, surfaces/many   the core with the mesh as one surface, each piece as one
  *
  * and all but those of OpenGL once more on one thread, "1-thread/" before the name.
  */
@@ -21,6 +23,7 @@
 
 #include "EmbreeRenderer.h"
 #include "LambentRenderer.h"
+#include "ManySurfaces.h"
 #include "OpenGLRenderer.h"
 
 #include <functional>
@@ -46,6 +49,7 @@ public:
   LambentRenderer& lambent();
   EmbreeRenderer& embree();
   OpenGLRenderer& opengl();
+  ManySurfaces& surfaces();
 
 private:
   std::vector<Contest> all();
@@ -55,6 +59,7 @@ private:
   std::unique_ptr<LambentRenderer> Lambent;
   std::unique_ptr<EmbreeRenderer> Embree;
   std::unique_ptr<OpenGLRenderer> OpenGL;
+  std::unique_ptr<ManySurfaces> Surfaces;
 };
 
 #endif

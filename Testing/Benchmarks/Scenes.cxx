@@ -76,11 +76,13 @@ Meshes fixedMeshes(const std::string& data, const std::string& cache)
     { "dragon-zoom", file("dragon.ply") }, { "dragon-parallel", file("dragon.ply") },
     { "dragon-uhd", file("dragon.ply") }, { "wave-300", wave(300) }, { "wave-600", wave(600) },
     { "layers", makeLayers }, { "needles", makeNeedles }, { "one-pixel", makeOnePixel },
-    { "soup", makeSoup }, { "box", makeBox }, { "curtain", makeCurtain }, { "late", makeLate } };
+    { "soup", makeSoup }, { "box", makeBox }, { "curtain", makeCurtain }, { "late", makeLate },
+    { "facets", makeFacets }, { "spheres", makeSpheres } };
 }
 
 void adjust(const std::string& name, BenchmarkScene& scene)
 {
+  scene.pieces = name == "facets" ? 100000 : name == "spheres" ? 3000 : 1;
   if (name == "dragon-zoom")
   {
     scene.camera->Zoom(2);

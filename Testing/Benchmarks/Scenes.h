@@ -40,6 +40,7 @@ struct BenchmarkScene
   vtkSmartPointer<vtkPolyData> mesh; ///< triangles, float points, float point normals
   vtkNew<vtkCamera> camera;
   vtkNew<vtkLight> light;
+  int pieces = 1; ///< of equally many triangles and points, which follow each other in the mesh
   int width = 1920;
   int height = 1080;
 

@@ -51,6 +51,9 @@ class Tally:
             return "-"
         return f"{value:.0f}" + self._mark(what, value <= goal if goal else None)
 
+    def most(self, what, value, goal):
+        return f"{value:.2f}" + self._mark(what, value <= goal if goal else None)
+
     def _mark(self, what, is_met):
         if is_met is None:
             return ""
@@ -65,6 +68,7 @@ def goal_text(goal):
 
 
 def embree_table(scenes, tally):
+    scenes = [scene for scene in scenes if scene.build("medium") is not None]
     header = ["scene", "triangles", "Lambent ms", "Embree medium build + trace", "ratio", "goal"]
     header += ["Embree fastest total", "ratio", "goal", "best trace alone", "ratio"]
     rows = []
@@ -131,6 +135,23 @@ def normals_table(scenes, tally):
     return table(header, rows) if rows else ""
 
 
+def surfaces_table(scenes, tally):
+    """The same mesh as many surfaces."""
+    header = ["many surfaces", "one mesh ms", "as inputs ms", "ratio", "core, one surface ms"]
+    header += ["core, many surfaces ms", "ratio", "goal"]
+    rows = []
+    for scene in scenes:
+        one, many = scene.median("surfaces/one"), scene.median("surfaces/many")
+        if many is None:
+            continue
+        mesh, inputs = scene.median("lambent"), scene.median("surfaces/inputs")
+        goal = GOALS["surfaces"].get(scene.name)
+        row = [scene.name, ms(mesh), ms(inputs), f"{inputs / mesh:.2f}", ms(one), ms(many)]
+        row += [tally.most(f"{scene.name}: surfaces", many / one, goal), f"≤ {goal}"]
+        rows.append(row)
+    return table(header, rows) if rows else ""
+
+
 def further_table(scenes, tally):
     """Threads and memory."""
     header = ["scene", "1 thread ms", "2 threads are faster by", "peak MB beyond mesh and image"]
@@ -178,6 +199,7 @@ def write(scenes, machine, load_after, quick):
         embree_table(scenes, tally),
         opengl_table(scenes, tally),
         normals_table(scenes, tally),
+        surfaces_table(scenes, tally),
         further_table(scenes, tally),
     ]
     load = f"load average {machine['load'][0]:.1f} before, {load_after[0]:.1f} after"

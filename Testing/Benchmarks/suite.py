@@ -35,9 +35,12 @@ HARD_SCENES = [
     "dragon-uhd",
 ]
 
+SURFACE_SCENES = ["spheres", "facets"] # of many surfaces
+
 # What matters for the goals, without what has never won in a run of everything.
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
+SURFACES = "lambent|surfaces/.*"
 NORMALS = "normals/.*"
 
 
@@ -90,6 +93,8 @@ def say(text):
 
 
 def contests_of(name, quick):
+    if name in SURFACE_SCENES:
+        return SURFACES
     contests = QUICK if quick else EVERYTHING
     if name == "dragon" or (name.startswith("wave") and not quick):
         contests += "|1-thread/lambent|" + NORMALS
@@ -141,7 +146,7 @@ def main():
     suite = Suite(options.build, options.data, options.quick)
     before = machine()
     if not options.only_scaling:
-        names = GOAL_SCENES if options.quick else GOAL_SCENES + HARD_SCENES
+        names = GOAL_SCENES + SURFACE_SCENES + ([] if options.quick else HARD_SCENES)
         names = options.scenes.split(",") if options.scenes else names
         scenes = measure(suite, names, options.quick)
         text = report.write(scenes, before, os.getloadavg(), options.quick)
