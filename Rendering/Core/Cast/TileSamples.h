@@ -21,7 +21,7 @@ namespace lambent
 class TileSamples
 {
 public:
-  static constexpr int widestVector = 16; ///< of floats
+  static constexpr int widestVector = 16; ///< in floats
 
   /// Windows are relative to the rendered part of the image.
   void reset(

@@ -71,8 +71,8 @@ private:
   }
 
   const Image Target;
-  std::vector<Vec3> SampleBackgrounds; ///< of each row of samples of the part
-  std::vector<Background> Backgrounds; ///< of each row of pixels
+  std::vector<Vec3> SampleBackgrounds; ///< one per row of samples of the part
+  std::vector<Background> Backgrounds; ///< one per row of pixels
 };
 }
 

@@ -22,7 +22,7 @@ public:
   /// Resizes the arrays. Their contents are undefined.
   void reset(int width, int height)
   {
-    constexpr std::size_t beyondEnd = 16 * 8; // that averageSamples() may read
+    constexpr std::size_t beyondEnd = 16 * 8; // values that averageSamples() may read
     this->Stride = width;
     for (std::vector<double>& channel : this->Channels)
     {

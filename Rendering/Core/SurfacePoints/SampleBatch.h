@@ -18,7 +18,7 @@
 
 namespace lambent
 {
-/// Some neighbouring samples of a row.
+/// Neighbouring samples of a row.
 struct SamplePiece
 {
   int i, j; ///< the first sample, counted in the part of the image
@@ -39,7 +39,7 @@ struct SampleBatch
   int pieceCount = 0;
   int runCount = 0;
   SamplePiece pieces[mostPieces];
-  std::int64_t run[places]; ///< of each sample
+  std::int64_t run[places]; ///< the run of each sample
 
   // One value per run.
   std::uint32_t triangles[room]; ///< or noTriangle

@@ -15,7 +15,7 @@ namespace lambent
 {
 struct SurfacePoint
 {
-  Vec3 position; ///< relative to the eye, with the world's axes
+  Vec3 position; ///< relative to the eye, along the world's axes
   double depth;  ///< along the viewing direction
   Vec3 normal;   ///< of any length, pointing to the side that is lit
   const Appearance* appearance;
