@@ -18,7 +18,8 @@ void begin(RunRange& range, const SceneMesh::Part& part)
   range.hasGivenNormals = range.isSmooth || part.hasCellNormals();
 }
 
-/// Whether triangles of another part can be shaded together with those of the range.
+/// Extends the range to another part. Returns false, and does nothing, if that is shaded in another
+/// way.
 bool join(RunRange& range, const SceneMesh::Part& part)
 {
   RunRange other;
@@ -84,7 +85,7 @@ void Painting::paint(
   this->Target.storeTriangles(samples.window(), triangles, samples.stride());
 }
 
-/// The colours of the whole tile first, then the averages.
+/// Computes the colours of the whole tile first, then the averages.
 void Painting::paintAverages(
   const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
 {
@@ -119,7 +120,7 @@ void Painting::paintAverages(
   this->Target.storeTriangles(pixels, triangles, samples.stride());
 }
 
-/// Calls background(i, j, width) for pieces that hit nothing; others go to the batch.
+/// Calls background(i, j, width) for pieces that hit nothing. Other pieces go to the batch.
 template <typename BackgroundOf, typename StoreTo>
 void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
   SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const
@@ -142,7 +143,7 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangl
   }
 }
 
-/// Calls store(piece, red, green, blue) for each piece.
+/// Shades the batch, and calls store(piece, red, green, blue) for each piece.
 template <typename StoreTo>
 void Painting::shade(SampleBatch& batch, const StoreTo& store) const
 {
@@ -178,8 +179,8 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
   batch.clear();
 }
 
-/// Moves the range on to the runs after it, up to one that is shaded in another way. Runs that
-/// hit nothing go with those before them. False where none is left that hits anything.
+/// Moves the range to the runs after it, up to the first that is shaded in another way. Runs that
+/// hit nothing are included. Returns false if none of the remaining runs hits anything.
 bool Painting::nextRange(SampleBatch& batch, RunRange& range) const
 {
   const SceneMesh::Part* part = nullptr;

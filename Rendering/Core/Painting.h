@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief shade the samples of a tile and give their colours to the film
+ * @brief shades the samples of a tile and stores their colours on the film
  *
- * Windows and rows count in samples here.
+ * Windows and rows are counted in samples here.
  *
- * paintPlainly() finds the surface point of one sample after the other and is the definition.
- * paint() takes rows piece by piece, which begin as background, and leaves the hits on
- * surfaces that are shaded alike to a kernel, which gives the same bits.
+ * paintPlainly() shades one sample at a time and is the definition. paint() splits rows into
+ * pieces, which begin as background. A kernel shades the hits on surfaces that are shaded alike,
+ * and gives the same bits.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
@@ -23,13 +23,13 @@
 
 namespace lambent
 {
-/// What a worker needs for the tile at hand.
+/// A worker's memory for the current tile.
 struct PaintingMemory
 {
   SampleBatch batch;
-  // Where pixels have several samples.
+  // Used if pixels have several samples.
   TileColors colors;
-  std::vector<unsigned char> isHit; ///< rows of pixels
+  std::vector<unsigned char> isHit; ///< per row of pixels
 };
 
 class Painting
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /// triangles: what each sample sees.
+  /// triangles: the triangle that each sample sees.
   void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
   void paint(
     const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;

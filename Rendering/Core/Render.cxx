@@ -9,11 +9,11 @@ namespace lambent
 {
 namespace
 {
-/// How much of the whole is done after each of the three passes, roughly.
+/// The approximate shares of the work that the first two of the three passes do.
 constexpr double pointsShare = 0.1;
 constexpr double binningShare = 0.3;
 
-/// How many points or triangles are worked off between two looks at progress.
+/// The number of points or triangles processed between two progress reports.
 constexpr std::size_t batchSize = 1024 * 1024;
 
 /// Tiles hold whole pixels.
@@ -121,8 +121,8 @@ private:
     gathered.flush();
   }
 
-  /// Bins triangles from next on until there are none left or the bins are full;
-  /// next is then the first that is left.
+  /// Bins triangles from next on until none are left or the bins are full. Then next is the first
+  /// triangle that is left.
   bool binTriangles(std::size_t& next)
   {
     const std::size_t count = this->Mesh.triangleCount();
@@ -184,14 +184,14 @@ private:
   const Progress& Tell;
   const Settings How;
   const SceneMesh Mesh;
-  const Window Samples; ///< of the image's part
+  const Window Samples; ///< the image's part, in samples
   const CameraFrame Frame;
   const PointLattice Lattice;
   const std::unique_ptr<LatticePosition[]> Positions;
   const TileGrid Grid;
   const FrameMesh InFrame;
   const Binning Binner;
-  std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one a worker
+  std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one per worker
   std::vector<const Bins*> FilledBins;
   const Casting<Nearest> Caster;
   const TrianglePoints Points;

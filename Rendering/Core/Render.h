@@ -2,24 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief make the picture of a scene
+ * @brief renders a scene into an image
  *
- * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are
- *    grouped into tiles (TileGrid).
- * 2. One pass over the points finds where each falls between the rays
- *    (PointLattice).
- * 3. One pass over the triangles drops those between the rays (Binning). Of small
- *    ones, the hits that are certain go into the bins of their tiles (Coverage); of
- *    others, the triangle does (Bins).
- * 4. Each tile casts its rays at its triangles (Casting), finds the nearest of all
- *    hits of each (TileSamples), shades it (Shading) and writes its pixels (Painting).
- *    Only the tile at hand has depths.
+ * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are grouped into tiles
+ *    (TileGrid).
+ * 2. One pass over the points computes where each falls between the rays (PointLattice).
+ * 3. One pass over the triangles drops those between the rays (Binning). The certain hits of small
+ *    triangles go into the bins of their tiles (Coverage); other triangles go there whole (Bins).
+ * 4. Each tile casts its rays against its triangles (Casting), keeps the nearest hit of each ray
+ *    (Nearest), computes its surface point (TrianglePoints) and colour (LightModel), and stores its
+ *    pixels (Painting, Film). Only the current tile has depths.
  *
- * Should the bins of step 3 fill the memory they are given, step 4 is done for
- * what they hold, the tiles keep their hits, and step 3 goes on.
+ * If the bins of step 3 fill the memory they are given, step 4 casts what they hold, the tiles keep
+ * their hits, and step 3 continues.
  *
- * Beside scene and image this takes 4 bytes a point, and 16 bytes for each hit or up
- * to 32 for each larger triangle, at most Settings::binPages pages of them.
+ * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 32 bytes per
+ * larger triangle, in about Settings::binPages pages at most.
  */
 #ifndef lambent_Render_h
 #define lambent_Render_h
@@ -34,18 +32,18 @@
 
 namespace lambent
 {
-/// How the work is cut. None of it changes a bit of the picture.
+/// How the work is divided. No setting changes a bit of the image.
 struct Settings
 {
-  int tileShift = 5;                 ///< tiles are 2^tileShift samples wide, or somewhat less
-  std::size_t chunk = 4096;          ///< points or triangles a worker takes at a time
-  std::size_t binPages = 128 * 1024; ///< of 1 kB, before the tiles are processed
+  int tileShift = 5;        ///< tiles are 2^tileShift samples wide, adjusted to whole pixels
+  std::size_t chunk = 4096; ///< points or triangles that a worker takes at a time
+  std::size_t binPages = 128 * 1024; ///< pages of 1 kB to fill before tiles are processed
   bool culling = true;               ///< drop triangles between the rays
-  /// Locate, cast and shade with vectors.
+  /// Use vectors to locate, cast and shade.
   bool kernels = areVectorsInUse();
 
-  /// Every triangle against every ray, one at a time: the definition of the picture. The part
-  /// of the image counts in samples.
+  /// Tests every triangle against every ray, one at a time: the definition of the image. The part
+  /// of the image is in samples.
   static Settings bruteForce(const Window& samplePart)
   {
     Settings settings;
@@ -64,7 +62,7 @@ enum class Outcome
 {
   Done,
   Aborted,
-  BadMesh ///< a corner names a point that does not exist; the image is unfinished
+  BadMesh ///< the point of a corner does not exist; the image is unfinished
 };
 
 struct Report
@@ -73,11 +71,11 @@ struct Report
   MeshDefects defects;
 };
 
-/// Told how much is done, from 0 to 1, by the calling thread; false aborts.
+/// Receives the fraction done, from 0 to 1, in the calling thread. Returning false aborts.
 using Progress = std::function<bool(double)>;
 
-/// The camera must have no defect, the image at least one pixel, the scene fewer
-/// than noTriangle triangles. Throws std::bad_alloc.
+/// The camera must have no defect, the image at least one pixel, and the scene fewer than
+/// noTriangle triangles. Throws std::bad_alloc.
 Report render(const Scene& scene, const Image& image, const Parallel& parallel = Parallel(),
   const Progress& progress = nullptr, const Settings& settings = Settings());
 }

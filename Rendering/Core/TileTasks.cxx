@@ -6,21 +6,21 @@ namespace lambent
 {
 namespace
 {
-// From how many pages on a tile is split, and into how many tasks at the most.
+// A tile with more than pagesToSplit pages is split, into at most maximumShares tasks.
 constexpr std::size_t pagesToSplit = 128;
 constexpr std::size_t maximumShares = 32;
 
-// Neighbours are handed out together: their pixels share cache lines, which two workers
-// would keep taking from each other.
+// Neighbouring tiles go to the same worker: their pixels share cache lines, which two workers would
+// keep taking from each other.
 constexpr std::size_t mostTilesInGroup = 16;
 constexpr std::size_t mostWeightInGroup = 128;
 
-// Of a batch, in pages; an empty tile counts as much as a few. A batch takes some
-// milliseconds, so that progress is told and an abort heard in time.
+// The weight of a batch, in pages; an empty tile counts as a few. A batch takes some milliseconds,
+// so that progress and aborts are handled promptly.
 constexpr std::size_t mostWeightInBatch = 8 * 1024;
 constexpr std::size_t emptyTileWeight = 2;
 
-/// Calls body(bins, level, bin) for the bins of a tile and of those above it.
+/// Calls body(bins, level, bin) for the bins of a tile and of the coarser tiles above it.
 template <typename Body>
 void forBins(const TileGrid& grid, const std::vector<const Bins*>& bins, int tile, Body&& body)
 {
@@ -84,7 +84,7 @@ void TileTasks::plan(const std::vector<const Bins*>& bins)
   this->endBatch();
 }
 
-/// Each share of a split tile is a group of its own.
+/// Makes each share of a split tile a group of its own.
 void TileTasks::addShares(int tile, std::size_t shares)
 {
   const auto split = static_cast<int>(this->Splits.size());
@@ -115,7 +115,7 @@ void TileTasks::endBatch()
   }
 }
 
-/// Into how many tasks a tile is split; 0 if it has nothing to do.
+/// The number of tasks for a tile; 0 if it has no pages.
 std::size_t TileTasks::sharesFor(std::size_t pages) const
 {
   const std::size_t workers = this->Scratch.size();
@@ -141,7 +141,7 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
       std::unique_ptr<Memory>& memory = this->Scratch[worker];
       if (!memory)
       {
-        memory.reset(new Memory); // by the worker itself, and not written over
+        memory.reset(new Memory); // allocated by the worker itself, without zeroing
       }
       for (std::size_t task = this->Groups[group]; task < this->Groups[group + 1]; ++task)
       {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief process the tiles: cast their rays, shade the hits, write the pixels
+ * @brief processes the tiles: casts their rays, shades the hits, stores the pixels
  *
- * A tile with few triangles is one task, done in memory of the worker's own, and a
- * worker takes several neighbours at a time. One with many is split into several tasks,
- * each with a share of its triangles; they merge what they hit, and the last of them
- * shades. So a mesh that falls into a single tile keeps all workers busy.
+ * A tile with few triangles is one task, done in the worker's own memory. A worker takes several
+ * neighbouring tiles at a time. A tile with many triangles is split into several tasks, each with a
+ * share of its triangles. They merge their hits, and the last of them shades. So a mesh that falls
+ * into a single tile keeps all workers busy.
  */
 #ifndef lambent_TileTasks_h
 #define lambent_TileTasks_h
@@ -23,7 +23,7 @@ namespace lambent
 class TileTasks
 {
 public:
-  /// kernels: whether to cast and paint with them, or plainly.
+  /// kernels: whether to use them for casting and painting.
   TileTasks(const CameraFrame& frame, const Window& part, const TileGrid& grid,
     const Casting<Nearest>& casting, const Painting& painting, int workers, bool kernels)
     : Frame(frame)
@@ -36,14 +36,14 @@ public:
   {
   }
 
-  /// Share out the tiles with the triangles that are in the bins now.
+  /// Divides the tiles into tasks, given the current contents of the bins.
   void plan(const std::vector<const Bins*>& bins);
 
-  /// The number of batches that the plan has, each about equally much work.
+  /// The number of batches in the plan, each of about the same amount of work.
   std::size_t batchCount() const { return this->Batches.size() - 1; }
 
-  /// Cast one batch. TileTasks are painted in the last round, before that they keep
-  /// their hits for the next one.
+  /// Casts one batch. Tiles are painted in the last round. Before that they keep their hits for the
+  /// next round.
   void run(std::size_t batch, const std::vector<const Bins*>& bins, const Parallel& parallel,
     bool isLastRound);
 
@@ -51,8 +51,8 @@ private:
   struct Task
   {
     int tile;
-    int share, shares; ///< of the tile's pages; none if it has no pages
-    int split;         ///< index of the split tile that the hits go to, or -1
+    int share, shares; ///< of the tile's pages; shares is 0 if it has no pages
+    int split;         ///< index of the split tile that collects the hits, or -1
   };
   struct SplitTile
   {
@@ -60,7 +60,7 @@ private:
     TileHits<Nearest> tile;
     int remaining;
   };
-  /// What a worker needs for the tile at hand.
+  /// A worker's memory for the current tile.
   struct Memory
   {
     TileHits<Nearest> tile;
@@ -84,11 +84,11 @@ private:
   const Casting<Nearest>& Caster;
   const Painting& Painter;
   const bool Kernels;
-  std::vector<std::unique_ptr<Memory>> Scratch; ///< one a worker
-  std::vector<TileHits<Nearest>> Kept;          ///< one a tile, once there is a second round
+  std::vector<std::unique_ptr<Memory>> Scratch; ///< one per worker
+  std::vector<TileHits<Nearest>> Kept;          ///< one per tile, if there is more than one round
   std::vector<Task> Tasks;
-  std::vector<std::size_t> Groups;  ///< of tasks for one worker: first of each, and the end
-  std::vector<std::size_t> Batches; ///< of groups: first of each, and the end
+  std::vector<std::size_t> Groups;  ///< of tasks for one worker: the first of each, and the end
+  std::vector<std::size_t> Batches; ///< of groups: the first of each, and the end
   std::vector<std::unique_ptr<SplitTile>> Splits;
 };
 }

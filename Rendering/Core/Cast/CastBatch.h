@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a few triangles side by side, as kernels want them, and what they hit
+ * @brief a few triangles in the layout of the kernel, and their hits
  */
 #ifndef lambent_CastBatch_h
 #define lambent_CastBatch_h
@@ -14,7 +14,7 @@
 
 namespace lambent
 {
-/// A sample of the tile, and where its ray hits a triangle.
+/// A hit: a sample of the tile, the triangle that its ray hits, and the depth.
 struct ExactHit
 {
   std::uint32_t sample, triangle;
@@ -27,13 +27,13 @@ struct CastBatch
 
   int count = 0;
   std::uint32_t triangles[capacity];
-  Window boxes[capacity]; ///< of samples, from the tile's first
+  Window boxes[capacity]; ///< in samples, from the first of the tile
   bool cullFront[capacity], cullBack[capacity];
 
-  /// The corners' coordinates: ax, ay, az, bx, ... in the world.
+  /// The corners in world coordinates: ax, ay, az, bx, ...
   alignas(64) double points[9][capacity];
 
-  /// Comes out: the hits that float could not judge.
+  /// Output: the hits that float could not decide.
   std::vector<ExactHit> hits;
 };
 }

@@ -10,11 +10,11 @@ namespace lambent
 {
 namespace
 {
-/// Says nothing of a hit: its depth decides.
+/// A range that overlaps all others, so that the depth decides.
 constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
   std::numeric_limits<float>::infinity() };
 
-/// Computes the depth of a triangle at a sample of a tile.
+/// Returns a function that computes the depth of a triangle at a sample of a tile.
 auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
 {
   return [&mesh, &samples](std::uint32_t triangle, std::size_t sample)
@@ -95,7 +95,7 @@ void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::L
   }
 }
 
-// Points lie anywhere in memory: many are asked for before the first is read.
+// Points are scattered in memory, so many are prefetched before the first is read.
 template <typename Policy>
 void Casting<Policy>::fetch(const BinEntry* entries, int count, Candidate* candidates) const
 {

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cast the rays of a tile's samples at the triangles in its bins
+ * @brief casts the rays of a tile's samples against the triangles in its bins
  *
- * A triangle is brought into the camera's frame and tested with intersect() against the rays
- * of its box. That is the definition, and what castPlainly() does. cast() collects triangles
- * and leaves them to the kernel of CastingKernel.h, which gives the same bits.
+ * castPlainly() is the definition: it transforms each triangle into the camera's frame and tests it
+ * with intersect() against the rays of its box. cast() collects triangles for the kernel of
+ * CastingKernel.h, which gives the same bits.
  *
- * What becomes of the hits is up to the policy, chosen at compile time: Nearest keeps the
- * nearest of each sample.
+ * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
+ * of each sample.
  */
 #ifndef lambent_Casting_h
 #define lambent_Casting_h
@@ -22,14 +22,14 @@
 
 namespace lambent
 {
-/// A tile with the hits of its samples.
+/// The samples of a tile, and their hits.
 template <typename Policy>
 struct TileHits
 {
   TileSamples samples;
   Policy hits;
 
-  /// Start anew, with nothing hit. Windows count from the image's part that is made.
+  /// Removes all hits. Windows are relative to the rendered part of the image.
   void reset(
     const CameraFrame& frame, const Window& part, const TileGrid& grid, const Window& window)
   {
@@ -49,24 +49,24 @@ public:
   {
   }
 
-  /// Test a tile's rays against triangles of a bin that the tile lies in, a page of them at
-  /// the most.
+  /// Tests the rays of a tile against triangles of a bin that contains the tile, at most a page of
+  /// them.
   void castPlainly(
     const BinEntry* entries, int count, const TileGrid::Level& level, TileHits<Policy>& tile) const;
 
-  /// The same with the kernel; some of them stay in the batch until flush().
+  /// The same with the kernel. Some triangles stay in the batch until flush().
   void cast(const BinEntry* entries, int count, const TileGrid::Level& level,
     TileHits<Policy>& tile, CastBatch& batch) const;
   void flush(TileHits<Policy>& tile, CastBatch& batch) const;
 
-  /// Offer hits that are certain.
+  /// Offers certain hits to the policy.
   void addHits(const Fragment* hits, int count, TileHits<Policy>& tile) const;
 
-  /// Offer all hits of the same samples.
+  /// Offers all hits of the same samples to the policy.
   void merge(const TileHits<Policy>& from, TileHits<Policy>& tile) const;
 
 private:
-  /// A triangle whose points are on their way from memory.
+  /// A triangle whose points are being prefetched.
   struct Candidate
   {
     const SceneMesh::Part* part;

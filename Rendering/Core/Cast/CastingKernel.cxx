@@ -30,8 +30,8 @@ Floats largest(Floats a, Floats b, Floats c)
   return hn::Max(hn::Max(a, b), c);
 }
 
-/// An affine function of the ray, for some columns: what is the same for all rows, and
-/// what a row adds.
+/// An affine function of the ray, for several columns: a value that all rows share, and the change
+/// per row.
 struct Column
 {
   Floats constant, perRow;
@@ -46,7 +46,7 @@ struct Column
   Floats at(Floats j) const { return hn::Add(this->constant, hn::Mul(this->perRow, j)); }
 };
 
-/// Some columns of a triangle's box, from the sample i on.
+/// Casts several columns of a triangle's box, from the sample i on.
 template <typename VectorPolicy>
 void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i,
   const TileSamples& samples, const VectorPolicy& policy, std::vector<ExactHit>& hits)
@@ -88,7 +88,7 @@ void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i,
   }
 }
 
-/// All of the box, exactly.
+/// Casts the whole box exactly.
 void castExactly(const BoxTriangle& t, const TileSamples& samples, std::vector<ExactHit>& hits)
 {
   for (int i = t.box.i0; i < t.box.i1; i += step)
@@ -136,7 +136,7 @@ void castTriangles(const CameraFrame& frame, const TileSamples& samples, const V
       }
       if (2 * t.box.width() * t.box.height() > window.width() * window.height())
       {
-        least = policy.least(samples); // it may well have covered the tile
+        least = policy.least(samples); // the triangle may have covered the tile
       }
     }
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the numbers that CastingKernel.h evaluates, for several triangles at a time
+ * @brief computes the numbers that CastingKernel.h evaluates, for several triangles at a time
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -23,25 +23,26 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Some triangles side by side.
+/// The numbers of several triangles.
 struct Triangles
 {
   /// The corners in the camera's frame: ax, ay, az, aw, bx, ...
   double corners[12][lanesAtMost];
   AffineFloats edges[3]; ///< divided by their sizes
   float error[lanesAtMost];
-  /// The range of nearness at a ray: spread to both sides, but from farthest to nearest.
+  /// The range of nearness at a ray: nearness - spread to nearness + spread, clipped to the range
+  /// from farthest to nearest.
   AffineFloats nearness;
   float spread[lanesAtMost], farthest[lanesAtMost], nearest[lanesAtMost];
   float nearestInBox[lanesAtMost];
-  std::uint8_t missed[8], regular[8]; ///< a bit for each
+  std::uint8_t missed[8], regular[8]; ///< one bit per triangle
 
   bool isMissed(int lane) const { return this->missed[0] >> lane & 1; }
-  /// Whether all of this means something.
+  /// Whether float suffices for the triangle.
   bool isRegular(int lane) const { return this->regular[0] >> lane & 1; }
 };
 
-/// Some triangles' edge functions and all that is computed from them.
+/// The edge functions of several triangles, and all that is computed from them.
 class Setup
 {
 public:
@@ -60,8 +61,8 @@ public:
     }
   }
 
-  /// Triangles of which one edge function certainly has another sign than the sum of the
-  /// three, all over the box: none of its rays can hit.
+  /// The triangles that no ray of their box can hit: over the whole box, one edge function
+  /// certainly has another sign than the sum of the three.
   M missed(const Boxes& boxes) const
   {
     const V one = hn::Set(d, 1.0);
@@ -80,7 +81,7 @@ public:
     return missed;
   }
 
-  /// Store the edge functions. Returns the triangles for which floats will do.
+  /// Stores the edge functions. Returns the triangles for which float suffices.
   M storeEdges(Triangles& out) const
   {
     M regular = hn::And(hn::Gt(this->Nearest, hn::Set(d, smallestRangedDepth)),
@@ -91,7 +92,7 @@ public:
       const V scale = hn::Div(hn::Set(d, 1.0), this->Sizes[k]);
       const V relative = hn::Mul(this->Errors[k], scale);
       regular = hn::And(regular, isBelow(relative, 0.25));
-      regular = hn::And(regular, // no depth overflows, or vanishes
+      regular = hn::And(regular, // no depth overflows or underflows
         hn::And(hn::Gt(this->Sizes[k], hn::Set(d, 1e-200)), isBelow(this->Sizes[k], 1e200)));
       error = hn::Max(error, relative);
       this->Edges[k].times(scale).store(out.edges[k]);
@@ -123,7 +124,7 @@ public:
     V spread = sum(scaled(size, std::ldexp(1.0, -20)),
       hn::Add(hn::Mul(numError, hn::Abs(factor)), scaled(hn::Mul(size, relative), 1.01)),
       this->depthError());
-    // Else the corners' depths have to do.
+    // Otherwise only the depths of the corners bound the range.
     const M isSteady = hn::And(isBelow(relative, 0.005), isBelow(hn::Add(size, spread), 1e30));
     nearness = { hn::IfThenElseZero(isSteady, nearness.constant),
       hn::IfThenElseZero(isSteady, nearness.perColumn),
@@ -134,7 +135,7 @@ public:
   }
 
 private:
-  /// How much the nearness of a depth that intersect() computes can be wrong.
+  /// A bound on the error in nearness of the depth that intersect() computes.
   V depthError() const
   {
     const V range = hn::Sub(this->Farthest, this->Nearest);
@@ -169,7 +170,7 @@ private:
   V Errors[3], Sizes[3];
 };
 
-/// Set up the triangles [k, k + lanes) of a batch.
+/// Sets up the triangles [k, k + lanes) of a batch.
 void setUp(
   const CameraFrame& frame, const TilePlane& tile, const CastBatch& batch, int k, Triangles& out)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief edge functions, and others that are affine over the rays of a tile, of several
- * triangles at a time
+ * @brief edge functions and others that are affine over the rays of a tile, for several triangles
+ * at a time
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -25,13 +25,13 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// constant + i perColumn + j perRow, of each lane.
+/// constant + i perColumn + j perRow, one function per lane.
 struct AffineFloats
 {
   float constant[lanesAtMost], perColumn[lanesAtMost], perRow[lanesAtMost];
 };
 
-/// Where a tile lies on the image plane.
+/// The position of a tile on the image plane.
 struct TilePlane
 {
   double x, y; ///< of its first ray
@@ -73,7 +73,7 @@ V scaled(V a, double factor)
 
 M isBelow(V a, double limit)
 {
-  return hn::Lt(a, hn::Set(d, limit)); // not of what is no number
+  return hn::Lt(a, hn::Set(d, limit)); // false for NaN
 }
 
 /// A function that is affine over the rays of a tile.
@@ -81,7 +81,7 @@ struct Affine
 {
   V constant, perColumn, perRow;
 
-  /// More than any part of it, and any of its values, in the tile.
+  /// A bound on its terms, and on its values in the tile.
   V size(const TilePlane& tile) const
   {
     return sum(hn::Abs(this->constant), scaled(hn::Abs(this->perColumn), tile.width),
@@ -113,13 +113,13 @@ Affine weightedSum(const Affine edges[3], const V weights[3])
   return { of(&Affine::constant), of(&Affine::perColumn), of(&Affine::perRow) };
 }
 
-/// The least and the greatest value over a box.
+/// The smallest and largest value over a box.
 struct Extremes
 {
   V low, high;
 };
 
-/// The boxes of some triangles: centres, and half of what they span.
+/// The boxes of several triangles: centres and half extents.
 struct Boxes
 {
   V column, row, columns, rows;
@@ -154,8 +154,8 @@ struct Boxes
   }
 };
 
-/// The edge function of corners p and q; error: by how much it, and that of intersect(),
-/// can be wrong.
+/// The edge function of corners p and q. error: a bound on the rounding errors of this function and
+/// of that in intersect().
 Affine edgeFunction(const FrameVector& p, const FrameVector& q, const TilePlane& tile, V& error)
 {
   const V constant = hn::Sub(hn::Mul(p.x, q.y), hn::Mul(p.y, q.x));

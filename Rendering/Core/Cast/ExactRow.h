@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// A triangle in the camera's frame, against the rays of a box.
+/// A triangle in the camera's frame, and the box of rays to test.
 struct BoxTriangle
 {
   FramePoint a, b, c;
@@ -52,7 +52,7 @@ private:
   }
 };
 
-/// FrameTriangle::isHit() for the rays through (x, y), as many as there are lanes.
+/// FrameTriangle::isHit() for the rays through (x, row) of the image plane, one per lane.
 M intersectRays(const BoxTriangle& t, V x, double row, V& depth)
 {
   const auto broadcast = [](const FramePoint& p) {
@@ -74,7 +74,7 @@ M intersectRays(const BoxTriangle& t, V x, double row, V& depth)
   return hit;
 }
 
-/// Append the hits of the rays of a row from ray i on for which bits are set.
+/// Appends the hits of the rays of a row, from ray i on, whose bits are set.
 void exactRow(const BoxTriangle& t, int row, int i, const std::uint8_t bits[8],
   const TileSamples& samples, std::vector<ExactHit>& hits)
 {

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a policy of casting: the nearest hit of each sample
+ * @brief a casting policy: keeps the nearest hit of each sample
  *
- * Of two hits of a sample the one with the smaller depth is kept, at the same depth the one
- * with the smaller number of its triangle, so that the order in which they come does not
- * matter.
+ * Of two hits of a sample, the one with the smaller depth is kept; at equal depths, the one with
+ * the smaller triangle number. So the order of the hits does not matter.
  *
- * A hit has its triangle and its range of nearness. Where two ranges do not overlap they tell
- * which hit is nearer; elsewhere both depths are computed, and remembered.
+ * A hit has a triangle and a range of nearness. If two ranges do not overlap, they decide which hit
+ * is nearer. Otherwise both depths are computed, and that of the nearer hit is stored.
  *
- * What Casting asks of a policy: reset(), offer() of a hit with a range or with a depth,
- * merge(), and a class of vectors that keeps certain hits (VectorNearest.h).
+ * A policy for Casting provides reset(), offer() for a hit with a range or with a depth, merge(),
+ * and a vector class that keeps certain hits (VectorNearest.h).
  */
 #ifndef lambent_Nearest_h
 #define lambent_Nearest_h
@@ -30,24 +29,24 @@ namespace lambent
 class Nearest
 {
 public:
-  /// Start anew, with nothing hit.
+  /// Removes all hits.
   void reset(std::size_t size)
   {
     this->Lows.assign(size, noNearness.low);
     this->Highs.assign(size, noNearness.high);
     this->Triangles.assign(size, noTriangle);
-    this->Depths.resize(size); // means nothing where nothing is hit
+    this->Depths.resize(size); // undefined where nothing is hit
     this->DepthOwners.assign(size, noTriangle);
   }
 
-  /// By sample: ranges of nearness, and triangles.
+  /// Ranges of nearness and triangles, by sample.
   float* lows() { return this->Lows.data(); }
   float* highs() { return this->Highs.data(); }
   std::uint32_t* triangles() { return this->Triangles.data(); }
   const float* lows() const { return this->Lows.data(); }
   const std::uint32_t* triangles() const { return this->Triangles.data(); }
 
-  /// A hit that is certain. depthOf(triangle, sample) computes depths.
+  /// Offers a certain hit. depthOf(triangle, sample) computes a depth if needed.
   template <typename DepthOf>
   void offer(
     std::size_t sample, std::uint32_t triangle, const Nearness& range, const DepthOf& depthOf)
@@ -63,7 +62,7 @@ public:
     }
   }
 
-  /// A hit of known depth, and the range of that.
+  /// Offers a hit of known depth, with its nearness range.
   template <typename DepthOf>
   void offer(std::size_t sample, std::uint32_t triangle, const Nearness& range, double depth,
     const DepthOf& depthOf)
@@ -75,7 +74,7 @@ public:
     }
   }
 
-  /// All hits of the same samples.
+  /// Offers all hits of the same samples.
   template <typename DepthOf>
   void merge(const Nearest& other, bool parallel, const DepthOf& depthOf)
   {
@@ -106,7 +105,7 @@ private:
     this->Triangles[sample] = triangle;
   }
 
-  /// Whether the depth of a sample's hit is known. That of no hit is: infinite.
+  /// Whether the depth of a sample's hit is known. That of no hit is known: infinity.
   bool knowsDepth(std::size_t sample) const
   {
     return this->DepthOwners[sample] == this->Triangles[sample];
@@ -122,7 +121,7 @@ private:
     }
   }
 
-  /// By depth, where that of the sample's hit is known.
+  /// Keeps the nearer hit by depth. The depth of the sample's hit must be known.
   void choose(std::size_t sample, std::uint32_t triangle, const Nearness& range, double depth)
   {
     const double nearest = this->Triangles[sample] == noTriangle
@@ -139,7 +138,7 @@ private:
   std::vector<float> Lows, Highs;
   std::vector<std::uint32_t> Triangles;
   std::vector<double> Depths;
-  std::vector<std::uint32_t> DepthOwners; ///< the triangles that these are of
+  std::vector<std::uint32_t> DepthOwners; ///< the triangles that Depths belong to
 };
 }
 

@@ -4,8 +4,8 @@
  * @file
  * @brief the samples of one tile: where their rays cross the image plane
  *
- * Samples are numbered row by row. Rows begin stride() apart, and there is room for a vector
- * to reach beyond a row's end.
+ * Samples are numbered row by row. Rows begin stride() apart, and a vector may reach beyond the end
+ * of a row.
  */
 #ifndef lambent_TileSamples_h
 #define lambent_TileSamples_h
@@ -21,9 +21,9 @@ namespace lambent
 class TileSamples
 {
 public:
-  static constexpr int widestVector = 16; ///< of floats
+  static constexpr int widestVector = 16; ///< in floats
 
-  /// Windows count from the image's part that is made.
+  /// Windows are relative to the rendered part of the image.
   void reset(
     const CameraFrame& frame, const Window& part, const TileGrid& grid, const Window& samples)
   {
@@ -40,13 +40,13 @@ public:
 
   const Window& window() const { return this->Samples; }
   int stride() const { return this->Stride; }
-  /// The number of samples, those between the end of a row and the next included.
+  /// The number of samples, including the unused ones between rows.
   std::size_t size() const
   {
     return static_cast<std::size_t>(this->Stride) * this->Samples.height();
   }
 
-  /// Places on the image plane, by column and by row of the tile.
+  /// Positions on the image plane, by column and by row of the tile.
   const double* xs() const { return this->Xs.data(); }
   const double* ys() const { return this->Ys.data(); }
   double x(std::size_t sample) const { return this->Xs[sample % this->Stride]; }

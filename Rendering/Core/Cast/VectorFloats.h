@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the vectors of floats that the casting kernel computes with: one sample a lane
+ * @brief the float vectors of the casting kernel, one sample per lane
  *
  * Included once for each target, hence the toggled guard.
  */

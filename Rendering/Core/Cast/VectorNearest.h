@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the policy Nearest for the certain hits of several samples at a time
+ * @brief the policy Nearest for certain hits of several samples at a time
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -34,8 +34,8 @@ public:
   {
   }
 
-  /// Keep certain hits of the samples from one on, whose nearness lies between `from` and
-  /// `to`. Returns those that cannot be told from the hits there.
+  /// Keeps certain hits of the samples from `sample` on, whose nearness lies between `from` and
+  /// `to`. Returns those whose order with the stored hits is undecided.
   FloatMask keep(
     std::size_t sample, FloatMask hit, Floats from, Floats to, std::uint32_t triangle) const
   {
@@ -51,7 +51,7 @@ public:
     return hn::AndNot(hn::Or(isNearer, isFarther), hit);
   }
 
-  /// The nearness that all hits of the tile have at least: what is farther changes nothing.
+  /// A lower bound on the nearness of all hits of the tile. Anything farther changes nothing.
   float least(const TileSamples& samples) const
   {
     Floats least = hn::Set(f, std::numeric_limits<float>::infinity());

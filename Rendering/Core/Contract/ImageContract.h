@@ -2,32 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the image contract: everything that decides the bits of a pixel
+ * @brief the image contract: every rule that decides the bits of a pixel
  *
- * A picture is a pure function of its scene. Whatever produces a pixel, in
- * whatever order and on however many threads, computes it with the functions of
- * this file, of Arithmetic.h and of Elementary.h, in the order written there:
+ * An image is a pure function of its scene. All rendering code, in any order and on any number of
+ * threads, must compute pixels with the functions of this file, Arithmetic.h and Elementary.h, in
+ * the order written there:
  *
- * - IEEE binary64, + - * / sqrt, rounded to nearest. The module is compiled
+ * - Arithmetic is IEEE binary64 with + - * / sqrt, rounded to nearest. The module is compiled
  *   without contraction (-ffp-contract=off) and without -ffast-math.
- * - GLM gives the types only. Its dot() and normalize() may sum in another order
- *   in another release; ours may not.
- * - Float, and whatever else is fast, may decide what is proven to come out the same
- *   here, and nothing else: which triangles a ray cannot meet, and which hits are
- *   certain (PointLattice.h, Coverage.h).
- * - Normals of smooth surfaces that bring none are those of CornerNormals.h, rounded to float.
- * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight
- *   Ray/Triangle Intersection", JCGT 2(1), 2013, with one more condition, see
- *   intersect().
+ * - GLM provides the types only. Its dot() and normalize() may sum in another order in another
+ *   release; ours may not.
+ * - Float and other fast arithmetic may decide only what is proven to come out the same here: which
+ *   triangles a ray cannot hit, and which hits are certain (PointLattice.h, Coverage.h,
+ *   CastingKernel.h).
+ * - Smooth surfaces without normals get those of CornerNormals.h, rounded to float.
+ * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight Ray/Triangle
+ *   Intersection", JCGT 2(1), 2013, with one more condition; see intersect().
  *
- * A change that can alter a single bit of a picture changes users' baselines: it
- * needs a new ImageContractVersion and a line in the change list.
+ * A change that can alter a single bit of an image changes users' baselines. It needs a new
+ * ImageContractVersion and an entry in the change log.
  *
- * Version 2: computed normals leave edges sharp that are sharper than the feature angle, and
- * a triangle's normals say which of its sides is the front (Shader::isReversed()). Before,
- * corners of boxes were shaded like cushions, sheets whose faces are there twice were speckled,
- * since normals cancelled to rounding noise, and mirrored meshes were dark outside. Polygons
- * that touch themselves are filled exactly (TouchingPolygon.h), not across their notches.
+ * Version 2: computed normals leave edges sharp that are sharper than the feature angle, and a
+ * triangle's normals determine its front (TrianglePoints::isReversed()). In version 1, corners of
+ * boxes were shaded like cushions; sheets with duplicate faces were speckled, since their normals
+ * cancelled to rounding noise; and mirrored meshes were dark outside. Polygons that touch
+ * themselves are now filled exactly (TouchingPolygon.h), not across their notches.
  */
 #ifndef lambent_ImageContract_h
 #define lambent_ImageContract_h
@@ -41,44 +40,42 @@ namespace lambent
 {
 constexpr int ImageContractVersion = 2;
 
-/// A point in the camera's frame: right, up, forward, and the weight w that the
-/// position on the image plane is divided by (forward in a perspective view, 1
-/// in a parallel one). The image plane lies at distance 1.
+/// A point in the camera's frame: right, up, forward, and the weight w that divides its position on
+/// the image plane (forward in a perspective view, 1 in a parallel one). The image plane lies at
+/// distance 1.
 struct FramePoint
 {
   double x, y, z, w;
 };
 
-/// Where a ray meets a triangle: the three edge functions, their sum, and the
-/// depth along the viewing direction. e / sum are the barycentric coordinates;
-/// the sum is positive where the front (counter-clockwise) side is seen.
+/// The hit of a ray on a triangle: the three edge functions, their sum, and the depth along the
+/// viewing direction. e / sum are the barycentric coordinates. The sum is positive where the front
+/// (counter-clockwise) side is seen.
 struct Hit
 {
   double e0, e1, e2, sum, depth;
 };
 
-/// True where zero lies within the range of the three values.
+/// True if zero lies within the range of the three values.
 inline bool spansZero(double a, double b, double c)
 {
   return std::min(a, std::min(b, c)) <= 0.0 && std::max(a, std::max(b, c)) >= 0.0;
 }
 
 /**
- * The ray through (x, y) of the image plane against the triangle a b c.
+ * Tests the ray through (x, y) of the image plane against the triangle a b c.
  *
- * Each vertex is sheared so that the ray becomes the third axis. The sheared
- * vertex depends on the vertex and the ray alone, and since rounding is
- * monotonic each edge function has the right sign or is zero: no ray passes
- * between two triangles that share an edge or a vertex.
+ * Each vertex is sheared so that the ray becomes the third axis. A sheared vertex depends only on
+ * the vertex and the ray, and rounding is monotonic. So each edge function has the right sign or
+ * is zero, and no ray passes between two triangles that share an edge or a vertex.
  *
- * A hit must also lie in the bounding box of the sheared triangle. Wherever the
- * test is exact that says nothing new. It matters for a triangle so thin that
- * its edge functions round to zero: without it such a triangle is also hit where
- * its long edges would go on beyond its ends, so that no projected bounds could
- * ever be conservative.
+ * A hit must also lie in the bounding box of the sheared triangle. Where the test is exact, this
+ * condition is redundant. It matters for triangles so thin that their edge functions round to
+ * zero. Without it, such a triangle would also be hit where its long edges extend beyond its ends,
+ * and no projected bounds could be conservative.
  *
- * Not hit: a triangle whose edge functions sum to zero, one at or behind the
- * eye, and anything that is not a number.
+ * Returns false if the edge functions sum to zero, if the hit is at or behind the eye, and for
+ * NaN.
  */
 inline bool intersect(
   const FramePoint& a, const FramePoint& b, const FramePoint& c, double x, double y, Hit& hit)
@@ -104,16 +101,16 @@ inline bool intersect(
   return hit.sum != 0.0 && hit.depth > 0.0 && hit.depth < std::numeric_limits<double>::infinity();
 }
 
-/// The byte of a colour channel: floor(255 clamp(value, 0, 1) + 1/2), no gamma;
-/// what is not a number gives 0.
+/// The byte of a colour channel: floor(255 clamp(value, 0, 1) + 1/2). There is no gamma. NaN gives
+/// 0.
 inline unsigned char toByte(double value)
 {
   const double clamped = value > 0.0 ? (value < 1.0 ? value : 1.0) : 0.0;
   return static_cast<unsigned char>(255.0 * clamped + 0.5);
 }
 
-/// A channel as the float of an image. What is not a number always becomes the same
-/// one: of the many that there are, processors choose different ones.
+/// A colour channel as a float. Every NaN becomes the same one, since processors produce different
+/// ones.
 inline float toFloat(double value)
 {
   return std::isnan(value) ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(value);

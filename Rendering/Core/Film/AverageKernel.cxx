@@ -18,7 +18,8 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Adds some pixels' samples of one row to their sums, which begin with them in the first row.
+/// Calls add(column) for each of the n columns of a row of samples, from the left. Each lane of a
+/// column is the sample of another pixel.
 template <typename Add>
 void addRow(const double* samples, int n, const Add& add)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the averages of n x n samples
+ * @brief averages n x n samples per pixel
  */
 #ifndef lambent_AverageKernel_h
 #define lambent_AverageKernel_h
@@ -10,10 +10,9 @@
 namespace lambent
 {
 /**
- * averages[p], p from 0 to count - 1: the sum of the samples n p to n p + n - 1 of n rows,
- * which begin `stride` apart, divided by n^2. They are added one after the other, rows from
- * the bottom, each from the left. As many values may be read, and averages written, as if
- * there were seven more.
+ * For p in [0, count), averages[p] becomes the sum of the samples n p to n p + n - 1 of n rows,
+ * divided by n^2. Rows begin `stride` apart. The samples are added one after the other, rows from
+ * the bottom, each from the left. May read and write as if `count` were up to seven larger.
  */
 void averageSamples(const double* samples, int stride, int n, int count, double* averages);
 }

@@ -21,7 +21,7 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// toByte().
+/// toByte() in each lane.
 void storeByte(V value, std::uint8_t* bytes)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);

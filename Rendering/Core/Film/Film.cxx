@@ -16,7 +16,7 @@ namespace
 template <typename Channel>
 void repeat(const Channel (&color)[3], int count, Channel* out)
 {
-  // Bits are compared: 0 equals -0, but is not the same.
+  // Compare bits: 0 equals -0, but has other bits.
   if (std::memcmp(color, color + 1, 2 * sizeof(Channel)) == 0)
   {
     std::fill_n(out, 3 * count, color[0]);

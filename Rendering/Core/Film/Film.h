@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief samples become pixels: averages, as bytes or floats; the background; the triangles seen
+ * @brief turns samples into pixels: averages, bytes or floats, the background, the triangles seen
  *
- * With n samples along each axis a pixel is the sum of its n^2 linear values, rows from the
- * bottom, each from the left, divided by n^2 (a box filter). average() is the definition;
- * AverageKernel.h does the same for many pixels. The film does not ask what was hit.
+ * With n samples along each axis, a pixel is the sum of its n^2 linear values, divided by n^2 (a
+ * box filter). The values are added row by row from the bottom, each row from the left. average()
+ * is the definition; AverageKernel.h does the same for many pixels. The film does not depend on
+ * what was hit.
  */
 #ifndef lambent_Film_h
 #define lambent_Film_h
@@ -27,21 +28,22 @@ public:
 
   const Image& target() const { return this->Target; }
 
-  /// Of the samples in a row of the image's part.
+  /// The background of a row of samples in the image's part.
   const Vec3& background(int j) const { return this->SampleBackgrounds[j]; }
 
-  // Pixels count from the image's part.
+  // Pixels are relative to the image's part.
   void storeBackground(const Window& pixels) const;
   void storeColor(int i, int j, const Vec3& color) const;
-  /// Of `count` pixels, at most 32, from (i, j) on; there must be 32 values a channel.
+  /// Stores `count` pixels, at most 32, from (i, j) on. Each channel must hold 32 values.
   void storeColors(
     int i, int j, int count, const double* red, const double* green, const double* blue) const;
-  /// Of the pixels of a window, whose samples begin in that row of `colors`.
+  /// Stores the pixels of a window, whose samples begin in that row of `colors`.
   void storeAverages(const Window& pixels, const TileColors& colors, int row) const;
-  /// Of the pixels of a window, from those of its samples, whose rows begin `stride` apart.
+  /// Stores the triangles of the pixels of a window. `triangles` are those of its samples, in rows
+  /// that begin `stride` apart.
   void storeTriangles(const Window& pixels, const std::uint32_t* triangles, int stride) const;
 
-  /// colorOf(i, j): of the sample in that column and row of the pixel.
+  /// colorOf(i, j): the colour of the sample in that column and row of the pixel.
   template <typename ColorOf>
   static Vec3 average(int samples, const ColorOf& colorOf)
   {
@@ -55,7 +57,7 @@ public:
   }
 
 private:
-  /// As it is and as it is stored.
+  /// The background, and its bytes and floats.
   struct Background
   {
     Vec3 color;
@@ -69,8 +71,8 @@ private:
   }
 
   const Image Target;
-  std::vector<Vec3> SampleBackgrounds; ///< of each row of samples of the part
-  std::vector<Background> Backgrounds; ///< of each row of pixels
+  std::vector<Vec3> SampleBackgrounds; ///< one per row of samples of the part
+  std::vector<Background> Backgrounds; ///< one per row of pixels
 };
 }
 

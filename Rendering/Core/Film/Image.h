@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief where a picture is written
+ * @brief the memory that an image is written to
  */
 #ifndef lambent_Image_h
 #define lambent_Image_h
@@ -14,17 +14,17 @@
 namespace lambent
 {
 /**
- * Where the picture goes: a part of an image, row by row from the bottom, three channels a
- * pixel, as bytes or as floats (the other one is nullptr). And, where wanted, the number of
- * the triangle that each pixel shows, as SceneMesh counts them, or noTriangle.
+ * The destination of an image or a part of it: rows from the bottom, three channels per pixel, as
+ * bytes or floats (the other one is nullptr). If `triangles` is set, it receives the number of the
+ * triangle that each pixel shows, as counted by SceneMesh, or noTriangle.
  *
- * With n samples along each axis a pixel is the average of n x n pixels of the image of
- * n width x n height; the triangle is that of sample (n / 2, n / 2), rounded down.
+ * With n samples along each axis, a pixel is the average of n x n pixels of the image of size n
+ * width x n height. Its triangle is that of sample (n / 2, n / 2), rounded down.
  */
 struct Image
 {
   int width = 0, height = 0; ///< of the whole image
-  Window part;               ///< what is made and stored of it
+  Window part;               ///< the part that is rendered and stored
   int samples = 1;           ///< n, at least 1
   unsigned char* bytes = nullptr;
   float* floats = nullptr;

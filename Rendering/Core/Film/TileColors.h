@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the linear colours of a tile's samples, until they are averaged
+ * @brief the linear colours of a tile's samples, before averaging
  */
 #ifndef lambent_TileColors_h
 #define lambent_TileColors_h
@@ -15,14 +15,14 @@
 
 namespace lambent
 {
-/// Rows of samples, one after the other from the bottom, a channel at a time.
+/// Rows of samples from the bottom, one array per channel.
 class TileColors
 {
 public:
-  /// The contents are undefined.
+  /// Resizes the arrays. Their contents are undefined.
   void reset(int width, int height)
   {
-    constexpr std::size_t beyondEnd = 16 * 8; // that averageSamples() may read
+    constexpr std::size_t beyondEnd = 16 * 8; // values that averageSamples() may read
     this->Stride = width;
     for (std::vector<double>& channel : this->Channels)
     {

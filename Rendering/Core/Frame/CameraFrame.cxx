@@ -18,8 +18,8 @@ bool isAllFinite(const Camera& camera)
 
 CameraDefect findDefect(const Camera& camera)
 {
-  // The sine of the angle between view-up and direction below which the image
-  // could turn with the last bits of either.
+  // If the sine of the angle between view-up and direction is below this, the last bits of either
+  // could turn the image.
   constexpr double parallelSine = 1e-10;
   if (!isAllFinite(camera))
   {

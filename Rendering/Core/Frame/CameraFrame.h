@@ -4,11 +4,11 @@
  * @file
  * @brief the camera's orthonormal frame and its lattice of rays
  *
- * A point v becomes (right.(v-E), up.(v-E), forward.(v-E)), E the eye. Pixel
- * (i, j), i from the left and j from the bottom, has its ray through (x(i), y(j))
- * of the plane at distance 1 (perspective), or parallel to the view direction
- * through (x(i), y(j)). Pixels are square; the view angle spans the image's
- * height, or its width if the camera says so, as in vtkRenderer.
+ * A point v becomes (right.(v-E), up.(v-E), forward.(v-E)), where E is the eye. In pixel (i, j), i
+ * counts from the left and j from the bottom. In a perspective view, its ray passes through (x(i),
+ * y(j)) of the plane at distance 1. In a parallel view, its ray passes through (x(i), y(j)),
+ * parallel to the view direction. Pixels are square. The view angle spans the height of the image,
+ * or its width if the camera says so, as in vtkRenderer.
  */
 #ifndef lambent_CameraFrame_h
 #define lambent_CameraFrame_h
@@ -19,7 +19,7 @@
 
 namespace lambent
 {
-/// What is wrong with a camera; the caller words the message.
+/// The defect of a camera. The caller words the message.
 enum class CameraDefect
 {
   None,
@@ -34,13 +34,13 @@ CameraDefect findDefect(const Camera& camera);
 
 struct CameraFrame
 {
-  /// The frame of a camera without defect, for an image of width x height.
+  /// The frame for an image of width x height pixels. The camera must have no defect.
   CameraFrame(const Camera& camera, int width, int height);
 
   Vec3 eye, right, up, forward;
   bool parallel;
-  double pixel;   ///< side of a pixel on the image plane
-  double centerX; ///< where the image plane's origin lies, in pixels
+  double pixel;   ///< side length of a pixel on the image plane
+  double centerX; ///< position of the image plane's origin, in pixels
   double centerY;
 
   double x(int i) const { return ((i + 0.5) - this->centerX) * this->pixel; }
@@ -53,9 +53,8 @@ struct CameraFrame
     return { dot(this->right, d), dot(this->up, d), z, this->parallel ? 1.0 : z };
   }
 
-  /// The point at a depth on the ray through (x, y), relative to the eye, with
-  /// the world's axes. (Relative, so that a scene far from the origin loses
-  /// nothing.)
+  /// The point at a depth on the ray through (x, y), relative to the eye, along the axes of the
+  /// world. It is relative so that a scene far from the origin loses no precision.
   Vec3 fromEye(double x, double y, double depth) const
   {
     const Vec3 across = this->right * x + this->up * y;
@@ -64,10 +63,10 @@ struct CameraFrame
 };
 
 /**
- * The camera with its direction and view-up kept and the box just in view, as
- * vtkRenderer::ResetCamera() frames it: view angle 30 degrees, focal point in the
- * centre of the bounds, position and parallel scale so that the bounding sphere
- * touches the edges of the image. With empty bounds the camera as it is.
+ * Moves a camera until the bounds are just in view, as vtkRenderer::ResetCamera() does. The
+ * direction stays, and view-up, too, unless the two are almost parallel. The view angle becomes 30
+ * degrees and the focal point the centre of the bounds. Position and parallel scale make the
+ * bounding sphere touch the edges of the image. With empty bounds, returns the camera unchanged.
  */
 Camera frameBounds(const Camera& camera, const Bounds& bounds, int width, int height);
 }

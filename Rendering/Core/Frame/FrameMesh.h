@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief single triangles of the scene in the camera's frame, and exact hits of single rays
+ * @brief the scene's triangles in the camera's frame, and exact hits of single rays
  */
 #ifndef lambent_FrameMesh_h
 #define lambent_FrameMesh_h
@@ -17,7 +17,7 @@ struct FrameTriangle
   FramePoint a, b, c;
   const Appearance& appearance;
 
-  /// intersect() for the side of the triangle that is drawn.
+  /// intersect(), without hits on culled sides.
   bool isHit(double x, double y, Hit& hit) const
   {
     return intersect(this->a, this->b, this->c, x, y, hit) && !this->appearance.isCulled(hit.sum);
@@ -45,7 +45,7 @@ public:
     return { corner(0), corner(1), corner(2), *part.appearance };
   }
 
-  /// The depth at which the ray through (x, y) hits a triangle, if it does.
+  /// Whether the ray through (x, y) hits a triangle, and at which depth.
   bool hits(std::uint32_t number, double x, double y, double& depth) const
   {
     Hit hit{};

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how near a hit is, as a range of floats that certainly holds it
+ * @brief the nearness of a hit, as a range of floats that is certain to contain it
  *
- * The nearness of a hit is 1 / depth in a perspective view and -depth in a parallel
- * one: over a triangle either is an affine function of the ray, and the larger one is
- * the nearer hit. Where the ranges of two hits do not overlap they tell which of them
- * is nearer; where they do, the depths have to be computed.
+ * The nearness is 1 / depth in a perspective view and -depth in a parallel view. Over a triangle,
+ * both are affine functions of the ray. The nearer hit has the larger nearness. If the ranges of
+ * two hits do not overlap, they decide which hit is nearer. Otherwise the depths must be computed.
  */
 #ifndef lambent_Nearness_h
 #define lambent_Nearness_h
@@ -21,18 +20,18 @@ struct Nearness
   float low, high;
 };
 
-/// Of no hit: farther than all.
+/// The nearness of no hit: farther than any hit.
 constexpr Nearness noNearness{ -std::numeric_limits<float>::infinity(),
   -std::numeric_limits<float>::infinity() };
 
-/// How much wider, relatively, a range is made than what it was computed from: more than
-/// a few roundings to float.
+/// The relative margin added to a computed range: more than a few roundings to float.
 constexpr float nearnessSlack = 1.0f / (1 << 21);
 
-/// Depths between which floats, and their reciprocals, round as they should.
+/// Between these depths, floats and their reciprocals neither overflow nor underflow.
 constexpr double smallestRangedDepth = 1e-30, largestRangedDepth = 1e30;
 
-/// Of a hit at a depth. What floats do not hold gets a range that overlaps with all.
+/// The nearness range of a known depth. A depth outside the limits gets a range that overlaps all
+/// others.
 inline Nearness nearnessOf(double depth, bool parallel)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();

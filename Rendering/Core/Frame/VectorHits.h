@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief intersect() for several rays at a time, lane by lane to the bit
+ * @brief intersect() for several rays at a time, with the same bits in each lane
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -55,7 +55,7 @@ struct ShearedTriangle
   }
 };
 
-/// A Hit for each lane, also where the triangle is missed.
+/// A Hit in each lane, even where the triangle is missed.
 struct VectorHit
 {
   V e0, e1, e2, sum, depth;
@@ -69,11 +69,11 @@ struct VectorHit
   {
   }
 
-  /// Where intersect() returns true, for a ray in the triangle's box.
+  /// True where intersect() returns true, for a ray in the triangle's box.
   M isHit() const
   {
     const V zero = hn::Zero(d);
-    // NaN may pass here; the depth is NaN then, too.
+    // NaN may pass here, but then the depth is NaN, too.
     const M front = hn::Ge(hn::Min(hn::Min(this->e0, this->e1), this->e2), zero);
     const M back = hn::Le(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero);
     return hn::And(hn::Or(front, back),

@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Calls reflectionOf(runs) for the reflection of some samples.
+/// Shades the samples of a range. reflectionOf(runs) returns the reflection of several samples.
 template <typename Reflecting>
 void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
   const Reflecting& reflectionOf, SampleBatch& batch)

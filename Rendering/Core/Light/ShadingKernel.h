@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the colours of the samples that hit triangles
+ * @brief computes the colours of samples that hit triangles
  *
- * For several samples at a time their surface points are found (VectorTrianglePoints.h) and
- * lit (VectorLights.h), without leaving the registers in between.
+ * The kernel computes the surface points of several samples at a time (VectorTrianglePoints.h) and
+ * lights them (VectorLights.h), keeping them in registers in between.
  */
 #ifndef lambent_ShadingKernel_h
 #define lambent_ShadingKernel_h
@@ -16,8 +16,8 @@
 
 namespace lambent
 {
-/// Fill in the colours of the samples whose runs are wanted. The triangles of all runs of the
-/// range, and their reflection unless the range has one appearance, must have been loaded.
+/// Fills in the colours of the samples whose runs are wanted. The triangles of all runs of the
+/// range must be loaded, and their reflection, too, unless the range has one appearance.
 void shadeTriangles(
   const TrianglePoints& points, const LightModel& light, const RunRange& range, SampleBatch& batch);
 }

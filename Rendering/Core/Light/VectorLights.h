@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief LightModel::color() for several points at a time, lane by lane to the bit
+ * @brief LightModel::color() for several points at a time, with the same bits in each lane
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// LightModel::arriving().
+/// LightModel::arriving() in each lane.
 inline V arriving(const LightSource& source, const Vector3& toLight, V distance)
 {
   const V one = hn::Set(d, 1.0);
@@ -55,7 +55,7 @@ struct Reflection
   Vector3 diffuse, ambient;
 };
 
-/// LightModel::color() of points that are lit.
+/// LightModel::color() for points that are not unlit.
 HWY_INLINE Vector3 lit(
   const LightModel& model, const Reflection& reflection, const VectorSurfacePoint& point)
 {

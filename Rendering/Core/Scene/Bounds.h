@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the box around what a scene draws
+ * @brief the bounding box of a scene's triangles
  */
 #ifndef lambent_Bounds_h
 #define lambent_Bounds_h
@@ -33,8 +33,8 @@ struct Bounds
   }
 };
 
-/// The bounds of the corners of all triangles. Points that are used by none, do
-/// not exist or are not finite do not count.
+/// The bounds of the corners of all triangles. Ignores points that no triangle uses, corners whose
+/// point does not exist, and points that are not finite.
 Bounds findBounds(const std::vector<Surface>& surfaces, const Parallel& parallel);
 }
 

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief ear clipping: triangles of a concave polygon
+ * @brief ear clipping: cuts a concave polygon into triangles
  *
- * An ear is a corner that turns with the outline and whose triangle contains no other corner.
+ * An ear is a convex corner whose triangle contains no other corner.
  *
- * 1. Cut the first ear, in the order of the outline, until three corners are left or none
- *    is an ear. After the first cut the last corner left is not tried: an outline that
- *    does not cross itself has two ears.
- * 2. A corner that was no ear is tried again only after one of its neighbours was cut, or
- *    the corner found in its triangle (its witness). Nothing else can make it an ear.
+ * 1. Cut off the first ear, in the order of the outline, until three corners are left or none is an
+ *    ear. After the first cut, the last remaining corner is not tried: an outline that does not
+ *    cross itself has two ears.
+ * 2. Try a rejected corner again only after one of its neighbours was cut off, or the corner found
+ *    in its triangle (its witness). Nothing else can make it an ear.
  *
- * So most corners are tried a few times, each against all corners: O(n^2) in practice.
- * The result is that of trying all corners anew after each cut, which takes O(n^3).
+ * So most corners are tried only a few times, each against all corners: O(n^2) in practice. The
+ * result is the same as when all corners are tried again after each cut, which takes O(n^3).
  *
  * Meisters, Polygons Have Ears, American Mathematical Monthly 82 (1975).
  */
@@ -33,7 +33,7 @@ namespace lambent
 class Ears
 {
 public:
-  /// Write the triangles cut off to `out`, which moves on; `polygon` keeps the other corners.
+  /// Writes the cut-off triangles to `out` and advances it. `polygon` keeps the remaining corners.
   void cut(Polygon& polygon, std::int32_t*& out)
   {
     this->start(polygon);
@@ -65,8 +65,8 @@ private:
   struct Corner
   {
     std::size_t previous, next;
-    std::size_t witness;     ///< the corner found in its triangle when it was last tried
-    std::size_t firstWaiter; ///< in Waiters: corners that have or had this one as witness
+    std::size_t witness;     ///< the corner found in the triangle of this one when last tried
+    std::size_t firstWaiter; ///< in Waiters: corners whose witness is or was this one
     bool isUntried, isCut;
   };
 
@@ -88,7 +88,7 @@ private:
     }
   }
 
-  /// If not, find out which corner is in the way.
+  /// If k is not an ear, records its witness.
   bool isEar(const Polygon& polygon, std::size_t k)
   {
     Corner& corner = this->Corners[k];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a polygon in memory of its own, its normal, its fan and what of it is turned
+ * @brief a copied polygon: its normal, its fan, and the area of triangles that face the wrong way
  */
 #ifndef lambent_Polygon_h
 #define lambent_Polygon_h
@@ -16,7 +16,7 @@
 
 namespace lambent
 {
-/// `out` moves on behind the triangle.
+/// Writes a triangle to `out` and advances it.
 inline void putTriangle(std::int32_t*& out, std::int32_t a, std::int32_t b, std::int32_t c)
 {
   *out++ = a;
@@ -24,7 +24,8 @@ inline void putTriangle(std::int32_t*& out, std::int32_t a, std::int32_t b, std:
   *out++ = c;
 }
 
-/// Twice the signed area that the corner a b c has, seen against the normal.
+/// Twice the signed area of the triangle a b c, seen against the normal and multiplied by the
+/// length of the normal.
 inline double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal)
 {
   return dot(cross(b - a, c - b), normal);
@@ -63,7 +64,7 @@ struct Polygon
     for (std::size_t k = 0; k < this->size(); ++k)
     {
       const Vec3 out = this->points[this->next(k)] - this->points[k];
-      if (dot(cross(in, out), this->normal) < 0.0) // turnAt(k), with each edge found once
+      if (dot(cross(in, out), this->normal) < 0.0) // turnAt(k), computing each edge once
       {
         return true;
       }
@@ -80,7 +81,7 @@ struct Polygon
     }
   }
 
-  /// Twice the area of those triangles of the fan that are turned the other way.
+  /// Twice the area of the triangles of the fan that face the other way.
   double turnedArea() const
   {
     double area = 0.0;
@@ -91,14 +92,14 @@ struct Polygon
     return area;
   }
 
-  /// The same of one triangle, times the length of the normal as all areas here.
+  /// The same for one triangle. Like all areas here, it is multiplied by the length of the normal.
   double turnedArea(std::size_t a, std::size_t b, std::size_t c) const
   {
     return std::max(-turn(this->points[a], this->points[b], this->points[c], this->normal), 0.0);
   }
 
-  /// True if a turned area can come from rounding: in the arithmetic, or of coordinates
-  /// that have that resolution, relative to the largest of them.
+  /// True if such an area can result from rounding, in the arithmetic or of the coordinates.
+  /// `resolution` is that of the coordinates, relative to the largest one.
   bool isRounding(double turnedArea, double resolution) const
   {
     if (!(turnedArea > 0.0))
@@ -110,7 +111,7 @@ struct Polygon
     return !(turnedArea > length(this->normal) * most);
   }
 
-  /// From the first corner.
+  /// The largest distance of a corner from the first.
   double largestDistance() const
   {
     double square = 0.0;

@@ -4,8 +4,8 @@
  * @file
  * @brief the scene as plain data: surfaces, lights, camera, background
  *
- * What goes into a picture, without VTK. Spans point into memory that the caller
- * keeps alive while the picture is made; nothing is copied and nothing written.
+ * The input of the renderer, without VTK. Spans point into memory that the caller keeps alive while
+ * the image is rendered. Nothing is copied or modified.
  */
 #ifndef lambent_Scene_h
 #define lambent_Scene_h
@@ -20,10 +20,10 @@ struct Light
 {
   bool positional = false;
   Vec3 position{ 0.0, 0.0, 1.0 };    ///< of a positional light
-  Vec3 direction{ 0.0, 0.0, -1.0 };  ///< in which it shines; the cone's axis; any length
+  Vec3 direction{ 0.0, 0.0, -1.0 };  ///< of the light, and axis of its cone; any length
   Vec3 color{ 1.0 };                 ///< colour x intensity
-  double coneAngle = 90.0;           ///< degrees from axis to rim; 90 and more: no cone
-  double exponent = 1.0;             ///< fall-off from the axis, within the cone
+  double coneAngle = 90.0;           ///< degrees from axis to rim; 90 or more: no cone
+  double exponent = 1.0;             ///< of the fall-off from the axis, within the cone
   Vec3 attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic
 };
 
@@ -41,7 +41,7 @@ struct Camera
   double viewAngle = 30.0; ///< degrees
   bool horizontalViewAngle = false;
   bool parallel = false;
-  double parallelScale = 1.0; ///< half of the image's height
+  double parallelScale = 1.0; ///< half the height of the image, in world units
   double windowCenter[2] = { 0.0, 0.0 };
 };
 

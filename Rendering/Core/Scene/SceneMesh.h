@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the surfaces of a scene, numbered through
+ * @brief the surfaces of a scene, with triangles and points numbered consecutively
  *
- * Triangles and points are counted over all surfaces in order, so that (input,
- * cell, triangle within the cell) becomes one number: of two hits at the same
- * depth the one with the smaller number is kept.
+ * Triangles and points are counted over all surfaces in order. So (input, cell, triangle within the
+ * cell) becomes one number. Of two hits at the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
 #define lambent_SceneMesh_h
@@ -22,12 +21,13 @@ namespace lambent
 class SceneMesh
 {
 public:
-  /// A surface, with all that is looked up for single triangles in one line of the cache:
-  /// there may be as many surfaces as triangles.
+  /// A surface. All data needed to look up single triangles is in one cache line, since there may
+  /// be as many surfaces as triangles.
   struct alignas(64) Part
   {
     const Surface* surface = nullptr;
-    /// That of the part before, where the two are equal, so that most can be told by address.
+    /// The appearance of the previous part, if the two are equal. So comparing addresses is usually
+    /// enough.
     const Appearance* appearance = nullptr;
     std::size_t firstPoint = 0;
     std::uint32_t firstTriangle = 0, triangleCount = 0;
@@ -51,7 +51,7 @@ public:
     {
     }
 
-    // Of the surface, without their sizes.
+    // The surface's arrays, without their sizes.
     TupleSpan points() const { return { this->Points, this->HasDoublePoints, 0 }; }
     IndexSpan corners() const { return { this->Corners, this->HasWideCorners, 0 }; }
     TupleSpan pointNormals() const { return { this->Normals, this->HasDoubleNormals, 0 }; }
@@ -60,7 +60,7 @@ public:
     bool hasCellNormals() const { return (this->Flags & CellNormals) != 0; }
     bool isCulling() const { return (this->Flags & Culling) != 0; }
 
-    /// Whether a triangle, counted over all surfaces, is one of this part's.
+    /// Whether a triangle, counted over all surfaces, belongs to this part.
     bool holds(std::size_t triangle) const
     {
       return triangle - this->firstTriangle < this->triangleCount;
@@ -112,14 +112,15 @@ public:
   }
 
   const Part& part(std::size_t number) const { return this->Parts[number]; }
-  /// Among the scene's surfaces.
+  /// The index of a part among the scene's surfaces.
   std::size_t numberOf(const Part& part) const
   {
     return static_cast<std::size_t>(&part - this->Parts.data());
   }
 
-  /// Calls body(part, begin, end) for the pieces of [begin, end), counted over all
-  /// surfaces, that lie in one surface each; begin and end then count within it.
+  /// Splits [begin, end), counted over all surfaces, where one surface ends and the next begins,
+  /// and calls body(part, begin, end) for each piece. There, begin and end count within the
+  /// surface.
   template <typename Body>
   void forTriangles(std::size_t begin, std::size_t end, Body&& body) const
   {
@@ -132,8 +133,8 @@ public:
   }
 
 private:
-  /// For each 2^Shift triangles the part that holds the first of them. There are about as many
-  /// as parts, so that a part is found in a few steps on average.
+  /// Stores the part that holds the first of every 2^Shift triangles. There are about as many
+  /// entries as parts, so finding a part takes a few steps on average.
   void indexParts()
   {
     while (this->Triangles >> this->Shift > 2 * this->Parts.size())

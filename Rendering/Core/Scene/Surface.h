@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a surface: its geometry, its attributes, its appearance, and where it comes from
+ * @brief a surface: its geometry, attributes, appearance and origin
  */
 #ifndef lambent_Surface_h
 #define lambent_Surface_h
@@ -16,13 +16,13 @@
 
 namespace lambent
 {
-/// The number of no triangle, and the most triangles that a scene can have.
+/// The number that means "no triangle". A scene must have fewer triangles than that.
 constexpr std::uint32_t noTriangle = 0xFFFFFFFFu;
 
 enum class Shading
 {
-  Smooth, ///< interpolated point normals; flat where a surface has none
-  Flat,   ///< cell normals, the triangle's own where a surface has none
+  Smooth, ///< interpolated point normals; flat if the surface has none
+  Flat,   ///< cell normals; the triangle's own if the surface has none
   Unlit   ///< the plain colour
 };
 
@@ -30,13 +30,13 @@ enum class Shading
 struct Appearance
 {
   double diffuse = 1.0, ambient = 0.0; ///< coefficients
-  Vec3 diffuseColor{ 1.0 };            ///< also what an unlit surface shows
+  Vec3 diffuseColor{ 1.0 };            ///< also the colour of an unlit surface
   Vec3 ambientColor{ 1.0 };
   Shading shading = Shading::Smooth;
   bool cullFront = false; ///< front faces (counter-clockwise) are not drawn
   bool cullBack = false;  ///< back faces are not drawn
 
-  /// To the bit: 0 is not -0.
+  /// Compares bits: 0 differs from -0.
   bool isSameAs(const Appearance& other) const
   {
     return std::memcmp(this, &other, 8 * sizeof(double)) == 0 && this->shading == other.shading &&
@@ -48,7 +48,7 @@ struct Appearance
   Vec3 ambientReflection() const { return this->ambientColor * this->ambient; }
 
   bool isCulling() const { return this->cullFront || this->cullBack; }
-  /// Whether a face is not drawn: sum is positive where its front is seen (Hit::sum).
+  /// Whether a face is culled. sum is positive where its front is seen (Hit::sum).
   bool isCulled(double sum) const
   {
     return (this->cullFront && sum > 0.0) || (this->cullBack && sum < 0.0);
@@ -65,16 +65,16 @@ struct Surface
   IndexSpan corners;
 
   // Attributes.
-  TupleSpan pointNormals; ///< one a point, or none
-  /// Where corners at one point have different normals: which of pointNormals each corner
-  /// has. None: that of its point.
+  TupleSpan pointNormals; ///< one per point, or none
+  /// The number of each corner's normal in pointNormals, if corners at one point have different
+  /// normals. If empty, a corner has the normal of its point.
   IndexSpan normalNumbers;
-  TupleSpan cellNormals; ///< one a cell, or none
+  TupleSpan cellNormals; ///< one per cell, or none
 
   Appearance appearance;
 
   // Origin.
-  /// The cell of each triangle; nullptr: cell = firstCell + triangle.
+  /// The cell of each triangle. If nullptr, the cell is firstCell + triangle.
   const std::int64_t* cells = nullptr;
   std::int64_t firstCell = 0;
 

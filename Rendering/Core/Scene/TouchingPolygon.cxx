@@ -64,7 +64,7 @@ private:
     }
   }
 
-  /// On which side of the line from a to b p lies: 1 left, -1 right, 0 on it.
+  /// The side of the line from a to b on which p lies: 1 left, -1 right, 0 on it.
   int side(std::size_t a, std::size_t b, std::size_t p) const
   {
     const Corner &from = this->Corners[a], &to = this->Corners[b], &at = this->Corners[p];
@@ -74,7 +74,7 @@ private:
     return area > zero ? 1 : (area < -zero ? -1 : 0);
   }
 
-  /// Which way the outline turns at a corner.
+  /// The direction in which the outline turns at a corner.
   int side(std::size_t k) const
   {
     return this->side(this->Corners[k].previous, k, this->Corners[k].next);
@@ -91,7 +91,7 @@ private:
     }
   }
 
-  /// Take those off the list that have become convex or were cut.
+  /// Removes the corners from the list that have become convex or were cut off.
   void cleanList()
   {
     const auto isOff = [this](std::size_t k)
@@ -127,14 +127,14 @@ private:
     this->judge(corner.next);
     this->Start = corner.next;
     --this->Left;
-    if (++this->CutSince * 8 > this->NotConvex.size()) // now and then, since it costs a pass
+    if (++this->CutSince * 8 > this->NotConvex.size()) // only now and then: it takes a full pass
     {
       this->cleanList();
       this->CutSince = 0;
     }
   }
 
-  /// True if nothing is enclosed at a corner: it is its neighbour's place, or a tip.
+  /// True if a corner encloses nothing: it coincides with a neighbour, or is a tip.
   bool isDull(std::size_t k) const
   {
     const std::size_t a = this->Corners[k].previous, c = this->Corners[k].next;
@@ -147,7 +147,7 @@ private:
       (at.x - from.x) * (to.x - at.x) + (at.y - from.y) * (to.y - at.y) < 0.0;
   }
 
-  /// Cut off k if it is dull, and what becomes dull by that.
+  /// Cuts off k if it is dull, and any corner that becomes dull as a result.
   void cutDull(std::size_t k)
   {
     while (this->Left > 3 && !this->Corners[k].isCut && this->isDull(k))
@@ -158,7 +158,7 @@ private:
     }
   }
 
-  /// Of the corners from the last cut on. False if there is none.
+  /// Tries the corners from the last cut on. Returns false if none is an ear.
   bool cutFirstEar()
   {
     std::size_t k = this->Start;
@@ -235,8 +235,8 @@ private:
   double Tolerance;
   std::vector<std::size_t>& Triangles;
   std::vector<Corner> Corners;
-  std::vector<std::size_t> NotConvex; ///< and some that no longer are
-  std::size_t CutSince = 0;           ///< that list was cleaned
+  std::vector<std::size_t> NotConvex; ///< may contain corners that have become convex
+  std::size_t CutSince = 0;           ///< corners cut off since the list was cleaned
   std::size_t Start = 0;
   std::size_t Left;
 };

@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t cellsPerChunk = 1024;
 
-/// One cell after the other, in memory that is used again.
+/// Cuts one cell after the other, reusing its memory.
 class Cutter
 {
 public:
@@ -72,7 +72,7 @@ private:
     {
       this->Clipper.cut(this->Shape, out);
     }
-    // Both triangles of a fan of four are corners of it, which are known to turn its way.
+    // The two triangles of a convex quadrilateral lie at corners known to be convex.
     const double turned = isConcave || size > 4 ? this->Shape.turnedArea() : 0.0;
     const bool isWrong = !this->Shape.isRounding(turned, this->resolution());
     this->Shape.fan(out);
@@ -82,11 +82,11 @@ private:
     }
   }
 
-  /// Of the coordinates, relative to the largest.
+  /// The resolution of the coordinates, relative to the largest one.
   double resolution() const { return this->Points.isDouble ? 0x1p-50 : 0x1p-22; }
 
-  /// Cut a polygon as one that touches itself, if it is one. First as if its coordinates
-  /// were exact, then as if rounded to the digits that they have.
+  /// Cuts a polygon as one that touches itself, if it is one. The first attempt treats its
+  /// coordinates as exact, the others as rounded to their digits.
   void mend(std::size_t begin, std::size_t size, double turned, std::int32_t* out)
   {
     std::int32_t bad;
@@ -116,7 +116,7 @@ private:
     return area;
   }
 
-  /// False if a point is wrong (-1) or not finite.
+  /// Returns false if a point does not exist (bad = -1) or is not finite.
   bool load(std::size_t begin, std::size_t size, std::int32_t& bad)
   {
     this->Shape.ids.resize(size);
@@ -163,7 +163,7 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   { return std::min(count, (chunk + 1) * cellsPerChunk); };
   std::vector<Cutter> cutters(parallel.workers(), Cutter(cells, kind, points));
 
-  // 1. Where the triangles of each chunk of cells begin.
+  // 1. Find where the triangles of each chunk of cells begin.
   std::vector<std::size_t> first(chunks + 1, list.cells.size());
   forEach(parallel, 0, chunks,
     [&](int worker, std::size_t chunk)
@@ -182,7 +182,7 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   list.corners.resize(3 * first[chunks]);
   list.cells.resize(first[chunks]);
 
-  // 2. Each chunk into its own place.
+  // 2. Cut each chunk into its own place.
   forEach(parallel, 0, chunks,
     [&](int worker, std::size_t chunk)
     {

@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief polygons and strips as triangles
+ * @brief cuts polygons and strips into triangles
  *
- * - A polygon without a concave corner is a fan from its first point.
- * - Another one is cut by ear clipping in the plane of its Newell normal: of the
- *   corners that are convex and whose triangle holds no other point the first one
- *   is cut off, until three points are left, or none of those left is an ear; these
- *   become a fan.
- * - Where triangles of that fan are turned the other way, by more than rounding, the
- *   outline touches itself or crosses itself. If it touches itself, it is cut once more
- *   by the rules of TouchingPolygon.h; if it crosses itself, it stays as it was cut.
- * - A strip alternates, so that all of its triangles face the way of the first.
+ * - A polygon without a concave corner becomes a fan from its first point.
+ * - Any other polygon is cut by ear clipping in the plane of its Newell normal. The first convex
+ *   corner whose triangle contains no other point is cut off, until three points are left or none
+ *   is an ear. The remaining points become a fan.
+ * - If triangles of that fan face the other way, by more than rounding, the outline touches or
+ *   crosses itself. If it touches itself, it is cut again by the rules of TouchingPolygon.h. If it
+ *   crosses itself, the first result stays.
+ * - A strip alternates its winding, so that all of its triangles face the same way as the first.
  *
- * A polygon of n points gives n - 2 triangles whatever its shape, so that each
- * cell knows its place in the list and cells can be cut in parallel. A cell with a
- * wrong or non-finite point gives triangles of that point alone; they are found
- * and counted where triangles are streamed (MeshDefects).
+ * A polygon of n points gives n - 2 triangles whatever its shape. So the place of each cell in the
+ * list is known in advance, and cells can be cut in parallel. If a point of a cell is not finite or
+ * does not exist, all corners of the cell's triangles are that point, or -1. Binning finds and
+ * counts such cells (MeshDefects).
  *
  * G. H. Meisters, "Polygons Have Ears", American Mathematical Monthly 82(6), 1975.
  */
@@ -39,12 +38,12 @@ enum class CellKind
 
 struct TriangleList
 {
-  std::vector<std::int32_t> corners; ///< three a triangle
-  std::vector<std::int64_t> cells;   ///< one a triangle
+  std::vector<std::int32_t> corners; ///< three per triangle
+  std::vector<std::int64_t> cells;   ///< one per triangle
 };
 
-/// Append the triangles of cells, which are numbered from firstCell on, to a list.
-/// Their offsets must not be broken; there may be at most 2^31 - 1 points.
+/// Appends the triangles of cells, numbered from firstCell on, to a list. The offsets must be
+/// valid, and there may be at most 2^31 - 1 points.
 void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   std::int64_t firstCell, const Parallel& parallel, TriangleList& list);
 }

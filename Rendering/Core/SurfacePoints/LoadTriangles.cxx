@@ -17,8 +17,8 @@ void put(double (*rows)[SampleBatch::room], int run, const Vec3& v)
   rows[2][run] = v.z;
 }
 
-/// partOf(run): the surface that a run hits. Points and normals lie anywhere in memory: first
-/// ask for all of them, then read.
+/// partOf(run): the surface that a run hits. Points and normals are scattered in memory, so all are
+/// prefetched before any is read.
 template <bool IsSmooth, typename PartOf>
 void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief fetch the corners and normals of the triangles that samples hit
+ * @brief loads the corners and normals of the triangles that samples hit
  */
 #ifndef lambent_LoadTriangles_h
 #define lambent_LoadTriangles_h
@@ -11,7 +11,7 @@
 
 namespace lambent
 {
-/// Fill in isWanted, points and normals of the runs of a range.
+/// Fills in isWanted, points and normals for the runs of a range.
 void loadTriangles(const RunRange& range, SampleBatch& batch);
 }
 

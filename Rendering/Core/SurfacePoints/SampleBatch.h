@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief some pieces of rows of samples, as the kernels for surface points and light take them
+ * @brief pieces of rows of samples, in the layout of the kernels for surface points and light
  *
- * Neighbours in a row often hit the same triangle, or nothing. What belongs to the
- * triangle is kept once for each run of samples that have it in common. Runs are numbered
- * on from piece to piece, without a gap.
+ * Neighbours in a row often hit the same triangle, or nothing. So the data of a triangle is stored
+ * once for each run of samples that share it. Runs are numbered consecutively over all pieces.
  */
 #ifndef lambent_SampleBatch_h
 #define lambent_SampleBatch_h
@@ -19,12 +18,12 @@
 
 namespace lambent
 {
-/// Some neighbouring samples of a row.
+/// Neighbouring samples of a row.
 struct SamplePiece
 {
-  int i, j; ///< the pixel of the first, in the image's part
+  int i, j; ///< the first sample, counted in the part of the image
   int width;
-  const double* xs; ///< where they are on the image plane; a vector may read beyond the last
+  const double* xs; ///< positions on the image plane; a vector may read beyond the last
   double y;
 };
 
@@ -34,28 +33,28 @@ struct SampleBatch
   static constexpr int mostPieces = 4;
   /// Sample i of piece k has place k pieceSize + i.
   static constexpr int places = mostPieces * pieceSize;
-  /// As many runs as places at the most; vectors may reach beyond the last.
+  /// There are at most as many runs as places. Vectors may reach beyond the last run.
   static constexpr int room = places + 8;
 
   int pieceCount = 0;
   int runCount = 0;
   SamplePiece pieces[mostPieces];
-  std::int64_t run[places]; ///< of each sample
+  std::int64_t run[places]; ///< the run of each sample
 
-  // Of each run.
+  // One value per run.
   std::uint32_t triangles[room]; ///< or noTriangle
   const SceneMesh::Part* parts[room];
-  double isWanted[room] = {};   ///< 1 where the kernel shall shade it, 0 elsewhere
+  double isWanted[room] = {};   ///< 1 where the kernel must shade the run, 0 elsewhere
   double points[9][room] = {};  ///< corners ax, ay, az, bx, ... in the world, then in the frame
-  double normals[9][room] = {}; ///< at a, b, c, or that of the face
-  double reflection[6][room];   ///< diffuse, ambient; not where all of a range have the same
+  double normals[9][room] = {}; ///< at a, b, c, or one of the face
+  double reflection[6][room];   ///< diffuse, ambient; unused if a range has one appearance
 
-  /// Of each sample: red, green and blue.
+  /// Red, green and blue of each sample.
   double colors[3][places];
 
   bool isFull() const { return this->pieceCount == mostPieces; }
 
-  /// Add a piece with the triangles that its rays hit; false if they all hit nothing.
+  /// Adds a piece with the triangles that its rays hit. Returns false if they all hit nothing.
   bool add(const SamplePiece& piece, const std::uint32_t* hits)
   {
     std::uint32_t differences = 0;
@@ -68,7 +67,7 @@ struct SampleBatch
       return false;
     }
     const int first = this->pieceCount * pieceSize;
-    // Where runs end is a toss-up: all is written, without a branch.
+    // The ends of runs are unpredictable, so all is written without branches.
     int last = this->runCount - 1;
     std::uint32_t triangle = ~hits[0];
     for (int i = 0; i < piece.width; ++i)
@@ -87,16 +86,16 @@ struct SampleBatch
   void clear() { this->pieceCount = this->runCount = 0; }
 };
 
-/// Runs that are shaded alike, and the places of their samples.
+/// Consecutive runs that are shaded together, and the places of their samples.
 struct RunRange
 {
   int firstRun = 0, endRun = 0;
   int first = 0, end = 0;
   bool isUnlit = false;
-  bool isSmooth = false;                  ///< normals at the corners, else one of the face
-  bool hasGivenNormals = false;           ///< not just those of the triangles' geometry
-  const SceneMesh::Part* part = nullptr;  ///< if it is the same for all
-  const Appearance* appearance = nullptr; ///< if it is the same for all
+  bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
+  bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
+  const SceneMesh::Part* part = nullptr;  ///< if all runs have the same
+  const Appearance* appearance = nullptr; ///< if all runs have the same
 };
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what light and film know of a hit, whatever was hit
+ * @brief a surface point: all that the light model knows of a hit
  *
- * Each kind of primitive fills it in its own file; nothing after that asks for the kind.
+ * Each kind of primitive fills it in a file of its own. Later steps do not depend on the kind.
  */
 #ifndef lambent_SurfacePoint_h
 #define lambent_SurfacePoint_h
@@ -15,9 +15,9 @@ namespace lambent
 {
 struct SurfacePoint
 {
-  Vec3 position; ///< relative to the eye, with the world's axes
+  Vec3 position; ///< relative to the eye, along the world's axes
   double depth;  ///< along the viewing direction
-  Vec3 normal;   ///< of any length, on the side that is lit
+  Vec3 normal;   ///< of any length, pointing to the side that is lit
   const Appearance* appearance;
 };
 }

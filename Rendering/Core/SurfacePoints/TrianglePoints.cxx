@@ -22,7 +22,7 @@ Vec3 TrianglePoints::normal(const Surface& surface, std::size_t triangle, const 
   {
     const auto normal = [&](std::size_t corner)
     { return turned(surface.pointNormals[surface.normalsOfCorners()[3 * triangle + corner]]); };
-    // Turned already on the back.
+    // On the back the edge functions are negative, which turns m.
     const Vec3 m = (normal(0) * hit.e0 + normal(1) * hit.e1) + normal(2) * hit.e2;
     return isBack && !this->TwoSided ? -m : m;
   }

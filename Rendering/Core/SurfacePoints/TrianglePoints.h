@@ -4,15 +4,15 @@
  * @file
  * @brief surface points of triangles
  *
- * Smooth shading interpolates the three point normals by the edge functions themselves, which
- * are the barycentric coordinates but for a factor: the light model takes normals of any
- * length. That factor is negative on the back of a face, where two-sided lighting turns the
- * normal anyway.
+ * Smooth shading interpolates the three point normals with the edge functions, which are the
+ * barycentric coordinates times a common factor. The light model accepts normals of any length. The
+ * factor is negative on the back of a face, where two-sided lighting turns the normal anyway.
  *
- * Two-sided lighting turns the normal to the viewer. The front of a triangle is where its
- * corners run counter-clockwise, or the other side where its normals lie there (isReversed()):
- * in a mirrored mesh the faces run the wrong way round while the normals still point outward.
- * It is judged once for the whole triangle, so that no seam runs through it.
+ * Two-sided lighting turns the normal towards the viewer. The front of a triangle is the side from
+ * which its corners run counter-clockwise, unless its normals lie on the other side (isReversed());
+ * then that side is the front. In a mirrored mesh the faces are wound the wrong way while the
+ * normals still point outward. The front is determined once per triangle, so that no seam runs
+ * through it.
  *
  * TrianglePoints::at() is the definition; VectorTrianglePoints.h does the same for many hits.
  */
@@ -33,14 +33,15 @@ public:
   {
   }
 
-  /// Where the ray through (x, y) hits a triangle.
+  /// The surface point where the ray through (x, y) hits a triangle.
   SurfacePoint at(std::uint32_t triangle, double x, double y) const;
 
-  /// The normal of the face: the cell's, if the surface has some.
+  /// The face normal: the cell normal if the surface has cell normals, else that of the geometry.
   static Vec3 faceNormal(const Surface& surface, std::size_t triangle);
 
-  /// Whether the sum of the triangle's three point normals (or the face's normal where it is
-  /// shaded flat) lies on the other side than its winding says is its front.
+  /// Whether the normals lie on the other side of the triangle than the front that its winding
+  /// defines. With smooth shading, the sum of the three point normals counts, otherwise the face
+  /// normal.
   static bool isReversed(const Surface& surface, std::size_t triangle);
 
   const FrameMesh& mesh() const { return this->Mesh; }

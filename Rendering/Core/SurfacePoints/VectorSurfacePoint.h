@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief surface points of several samples, and what belongs to their runs
+ * @brief surface points of several samples, and the values of their runs
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -31,8 +31,8 @@ struct VectorSurfacePoint
   Vector3 normal;
 };
 
-/// What belongs to the runs of some samples, from arrays with a value for each run. Runs are
-/// numbered in a row, so all that the samples of a vector can need is side by side.
+/// Looks up values of the runs of some samples, in arrays with one value per run. Runs are numbered
+/// consecutively, so all values that the samples of a vector can need are adjacent.
 class Runs
 {
 public:

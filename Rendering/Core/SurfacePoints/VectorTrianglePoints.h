@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief TrianglePoints::at() for several samples at a time, lane by lane to the bit
+ * @brief TrianglePoints::at() for several samples at a time, with the same bits in each lane
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -29,7 +29,7 @@ inline Vector3 load(const double (*rows)[SampleBatch::room], int k)
   return { hn::LoadU(d, rows[0] + k), hn::LoadU(d, rows[1] + k), hn::LoadU(d, rows[2] + k) };
 }
 
-/// Turn the normals of the runs [k, k + lanes) where the triangle a b c is reversed
+/// Negates the normals of the runs [k, k + lanes) whose triangle a b c is reversed
 /// (TrianglePoints::isReversed()).
 inline void turnReversed(
   const Vector3& a, const Vector3& b, const Vector3& c, bool isSmooth, int k, SampleBatch& batch)
@@ -56,12 +56,13 @@ inline void storeInFrame(
   hn::StoreU(v.z, d, rows[2] + k);
 }
 
-/// The points of the samples whose runs are in a range. The triangles of all runs of the range
-/// must have been loaded.
+/// The surface points of the samples whose runs are in a range. The triangles of all these runs
+/// must be loaded.
 class VectorTrianglePoints
 {
 public:
-  /// Brings the corners of the runs into the frame, and turns the normals of reversed triangles.
+  /// Transforms the corners of the runs into the frame, and negates the normals of reversed
+  /// triangles.
   VectorTrianglePoints(const TrianglePoints& points, const RunRange& range, SampleBatch& batch)
     : Frame(points.mesh().frame())
     , IsSmooth(range.isSmooth)
@@ -83,7 +84,7 @@ public:
     }
   }
 
-  /// Where the rays through (x, y) hit the triangles of their runs.
+  /// The surface points where the rays through (x, y) hit the triangles of their runs.
   HWY_INLINE VectorSurfacePoint at(const Runs& runs, V x, V y) const
   {
     const auto corner = [&](int k)
@@ -112,7 +113,7 @@ private:
   }
 
   const CameraFrame& Frame;
-  bool IsSmooth, IsTurned; ///< turned: on the back
+  bool IsSmooth, IsTurned; ///< IsTurned: negate the normal on the back
   const SampleBatch& Batch;
 };
 }

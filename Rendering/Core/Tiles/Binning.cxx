@@ -13,10 +13,10 @@ namespace
 // The kernels number points in 32 bits.
 constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 
-// So few that to call a kernel takes longer.
+// For fewer triangles, the call of a kernel takes longer.
 constexpr std::size_t fewTriangles = 8;
 
-/// As addCorners().
+/// Does the same as addCorners().
 bool addFewCorners(const Surface& surface, std::size_t begin, std::size_t end, std::int32_t offset,
   LatticeBoxes& boxes)
 {
@@ -49,7 +49,7 @@ void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) con
   this->binBoxes(memory);
 }
 
-/// Adds triangles of a surface to those whose boxes are found next.
+/// Adds triangles of a surface to the batch whose boxes are found next.
 void Binning::add(
   const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
@@ -280,7 +280,7 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
   else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
     c.column == LatticePosition::notFinite)
   {
-    // All triangles of such a cell are; it counts once.
+    // All triangles of such a cell get here; count it once.
     defects.notFinite += t == 0 || surface.cellOf(t) != surface.cellOf(t - 1);
     defects.firstNotFinite = std::min(defects.firstNotFinite, triangle);
   }

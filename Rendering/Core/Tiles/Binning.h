@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief stream the triangles past the rays, and give each to the tiles it touches
+ * @brief streams the triangles past the rays, and bins each one in the tiles that it touches
  *
- * Per triangle: read the lattice positions of its three points; if no ray lies
- * between them it is gone; otherwise it goes into the bins of the tiles that those
- * rays belong to. A triangle that the eye plane crosses has no bounded projection
- * and goes to all tiles; one wholly at or behind the eye plane is dropped.
+ * For each triangle, read the lattice positions of its three points. If no ray lies between them,
+ * drop the triangle. Otherwise put it into the bins of the tiles that contain those rays. A
+ * triangle that crosses the eye plane has no bounded projection and goes to all tiles. A triangle
+ * wholly at or behind the eye plane is dropped.
  *
- * binPlainly() takes one triangle after the other and is the definition. Where the
- * mesh allows it, blocks of triangles go through the kernel of LatticeKernel.h
- * instead, and of those with few rays the certain hits are binned at once, see
- * Coverage.h; their points are then not looked at again until they are shaded.
+ * binPlainly() processes one triangle at a time and is the definition. Where the mesh allows it,
+ * the kernel of LatticeKernel.h processes blocks of triangles instead. If a triangle has few rays,
+ * its certain hits are binned at once (Coverage.h), and its points are not read again until it is
+ * shaded.
  */
 #ifndef lambent_Binning_h
 #define lambent_Binning_h
@@ -25,13 +25,12 @@
 
 namespace lambent
 {
-/// What a mesh has that cannot be drawn. Numbers are those of triangles, counted
-/// over all surfaces.
+/// The defects of a mesh that prevent drawing. Triangles are numbered over all surfaces.
 struct MeshDefects
 {
-  /// The first triangle with a corner that names a point that does not exist.
+  /// The first triangle with a corner whose point does not exist.
   std::uint32_t wrongCorner = noTriangle;
-  /// Cells with a point that is not finite: their number, and the first triangle.
+  /// The number of cells with a point that is not finite, and the first triangle of such a cell.
   std::size_t notFinite = 0;
   std::uint32_t firstNotFinite = noTriangle;
 
@@ -43,17 +42,17 @@ struct MeshDefects
   }
 };
 
-/// Triangles of one surface among those whose boxes are found together.
+/// The triangles of one surface in a batch of LatticeBoxes.
 struct BoxedPart
 {
   const SceneMesh::Part* part;
-  std::size_t begin;   ///< the first of the triangles in its surface
-  std::uint32_t first; ///< the place of that
-  std::uint32_t end;   ///< the place after the last
-  std::int32_t offset; ///< from the surface's points to places among the positions
+  std::size_t begin;   ///< the first triangle, counted in its surface
+  std::uint32_t first; ///< the place of the first triangle in the batch
+  std::uint32_t end;   ///< the place after the last triangle
+  std::int32_t offset; ///< from the surface's point numbers to places among the positions
 };
 
-/// What a worker fills, and what it needs for that.
+/// A worker's results and scratch memory.
 struct BinningMemory
 {
   explicit BinningMemory(const TileGrid& grid)
@@ -64,11 +63,11 @@ struct BinningMemory
   Bins bins;
   MeshDefects defects;
   LatticeBoxes boxes;
-  std::vector<BoxedPart> parts; ///< of the boxes, in order
-  /// By height - 1 and width - 1.
+  std::vector<BoxedPart> parts; ///< the surfaces of the boxes, in order
+  /// Indexed by height - 1 and width - 1.
   SmallTriangles small[SmallTriangles::side][SmallTriangles::side];
-  const SceneMesh::Part* part = nullptr; ///< of the last small triangle, if there is any
-  bool isMixed = false;                  ///< others are of other parts
+  const SceneMesh::Part* part = nullptr; ///< surface of the last small triangle, if there is one
+  bool isMixed = false;                  ///< the small triangles may be of several surfaces
   CoverageBatch batch;
   CoveredRays covered;
 };
@@ -76,8 +75,8 @@ struct BinningMemory
 class Binning
 {
 public:
-  /// positions: one for each point of the mesh. Without culling every triangle
-  /// goes to every tile; kernels need culling.
+  /// positions: one per point of the mesh. Without culling, every triangle goes to every tile.
+  /// Kernels require culling.
   Binning(const FrameMesh& mesh, const PointLattice& lattice, const LatticePosition* positions,
     const TileGrid& grid, const Window& part, bool culling, bool kernels)
     : Mesh(mesh)
@@ -91,8 +90,7 @@ public:
   {
   }
 
-  /// Bin the triangles [begin, end), counted over all surfaces. Some are kept back
-  /// until flush().
+  /// Bins the triangles [begin, end), counted over all surfaces. Some are held back until flush().
   void run(std::size_t begin, std::size_t end, BinningMemory& memory) const;
   void flush(BinningMemory& memory) const;
 

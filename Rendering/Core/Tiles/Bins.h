@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which triangles each tile has to test, and what is known to be hit
+ * @brief the triangles that each tile must test, and its certain hits
  *
- * Each worker fills bins of its own, without a lock. A bin is a list of pages, so that
- * it grows without moving what it holds and an empty one costs a pointer. The order in
- * which things stand in a bin is left to chance; the nearest hit does not depend on it.
+ * Each worker fills its own bins, without a lock. A bin is a list of pages, so that it grows
+ * without moving its contents, and an empty bin has no page. The order of the items in a bin is
+ * arbitrary. The nearest hit does not depend on it.
  */
 #ifndef lambent_Bins_h
 #define lambent_Bins_h
@@ -23,23 +23,23 @@
 
 namespace lambent
 {
-/// A triangle by its number in the scene, and its box within the tile: first and
-/// last step along each axis, in the level's units.
+/// A triangle by its number in the scene, and its box within the tile: the first and last step
+/// along each axis, in units of the level.
 struct BinEntry
 {
   std::uint32_t triangle;
   std::uint8_t i0, i1, j0, j1;
 };
 
-/// A hit that is certain.
+/// A certain hit.
 struct Fragment
 {
   std::uint32_t triangle;
-  std::uint32_t sample; ///< of the tile
+  std::uint32_t sample; ///< number within the tile
   Nearness nearness;
 };
 
-/// In bytes: large enough that reading one hides the way to the next.
+/// In bytes. Reading a page of this size hides the latency of fetching the next.
 constexpr std::size_t pageSize = 1024;
 
 template <typename Item>
@@ -53,7 +53,7 @@ struct Page
   Item items[capacity];
 };
 
-/// Bins of items, by number.
+/// Numbered bins of items.
 template <typename Item>
 class PagedBins
 {
@@ -66,7 +66,7 @@ public:
   }
 
   std::size_t pageCount(int bin) const { return this->Heads[bin].pages; }
-  /// Over all bins.
+  /// The number of pages in all bins.
   std::size_t pageCount() const { return this->Pages; }
 
   void clear()
@@ -75,7 +75,7 @@ public:
     this->Pages = 0;
   }
 
-  // What is written is the item alone: pages are seldom in the nearest cache.
+  // Only the item is written, since pages are seldom in the first-level cache.
   void append(int bin, const Item& item)
   {
     Head& head = this->Heads[bin];
@@ -87,7 +87,7 @@ public:
       head.used = 0;
       ++head.pages;
     }
-    hwy::Prefetch(head.page->items + head.used + 8); // what is written soon is not at hand
+    hwy::Prefetch(head.page->items + head.used + 8); // the next items are not in the cache yet
     head.page->items[head.used++] = item;
   }
 
@@ -113,7 +113,7 @@ private:
   struct Head
   {
     Page<Item>* page = nullptr;
-    int used = pageCapacity; ///< of the page; there is none at first
+    int used = pageCapacity; ///< items in the page; "full" while there is no page
     int pages = 0;
   };
 
@@ -123,7 +123,7 @@ private:
     const std::size_t block = this->Pages / pagesPerBlock;
     if (block == this->Blocks.size())
     {
-      // Not make_unique, which would write over all of it.
+      // make_unique would write to all of it.
       this->Blocks.emplace_back(new Page<Item>[pagesPerBlock]);
     }
     return &this->Blocks[block][this->Pages++ % pagesPerBlock];
@@ -134,7 +134,7 @@ private:
   std::size_t Pages = 0;
 };
 
-/// The bins of one worker: triangles for tiles of each level, hits for the finest.
+/// The bins of one worker: triangles for the tiles of all levels, hits for the finest tiles.
 class Bins
 {
 public:
@@ -157,8 +157,8 @@ public:
     this->Hits.clear();
   }
 
-  /// Hand a triangle to the tiles that its rays fall into: of the finest level if
-  /// the box of rays is exact, so that there each entry's box is; else of a coarser.
+  /// Adds a triangle to the tiles that contain its rays. If the box of rays is exact, these may be
+  /// finest tiles, so all boxes there are exact. Otherwise they are tiles of a coarser level.
   void insert(std::uint32_t triangle, const Window& rays, bool isExact)
   {
     const TileGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
@@ -177,7 +177,7 @@ public:
     }
   }
 
-  /// Hand a hit of the sample (i, j) to its tile.
+  /// Adds a hit of the sample (i, j) to its tile.
   void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
   {
     const TileGrid::Level& level = this->Finest;

@@ -2,38 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which rays small triangles cover, decided in float where float can
+ * @brief which rays small triangles cover, decided in float where float is certain
  *
- * Most triangles of a fine mesh cover a ray or none. For these, exact arithmetic is
- * spent only where it is needed. With the projections u, v of the corners in rays,
- * as floats, the edge function of corners a, b at the ray p is
+ * Most triangles of a fine mesh cover one ray or none. For these, exact arithmetic is used only
+ * where it is needed. Let u, v be the projections of the corners in rays, as floats. The edge
+ * function of corners a, b at the ray p is
  *
  *     E = (b_u - a_u) (p_v - a_v) - (b_v - a_v) (p_u - a_u)
  *
- * and has the sign of the edge function in intersect() wherever it is farther from
- * zero than its error. All three certainly of one sign: hit. Two certainly of
- * different signs: no hit. Anything else: uncertain, and left to intersect().
+ * It has the sign of the edge function in intersect() wherever it is farther from zero than its
+ * error. If all three certainly have the same sign, the ray hits. If two certainly have different
+ * signs, it misses. Anything else is uncertain and left to intersect().
  *
- * The error bound. d: by how much a float u or v can differ from the exact
- * projection, half a unit in the last place of the largest coordinate, plus the
- * rounding of the projection itself. w, h: the triangle's extent, as floats. The ray
- * lies in the triangle's box (boxes here are exact), so |p - a| is at most the extent
- * plus d. Then
+ * The error bound. Let d be the largest difference between a float u or v and the exact projection:
+ * half a unit in the last place of the largest coordinate, plus the rounding of the projection
+ * itself. Let w, h be the extent of the triangle, as floats. The ray lies in the box of the
+ * triangle (boxes here are exact), so |p - a| is at most the extent plus d. Then
  *
- * - moving the corners by d changes E by at most 2d |p_v - a_v| + d |b_u - a_u| + 2d
- *   |p_u - a_u| + d |b_v - a_v| and second-order terms: at most 3d (w + h) + 8 d^2;
- * - evaluating it rounds each of the four differences, both products and the result:
- *   at most 8 units of 2^-24 w h;
- * - intersect() computes its edge functions in binary64, in coordinates that are those
- *   of the rays but for a factor, with errors that are as large relative to d as
- *   2^-53 is to 2^-24.
+ * - moving the corners by d changes E by at most 2d |p_v - a_v| + d |b_u - a_u| + 2d |p_u - a_u| +
+ *   d |b_v - a_v| and second-order terms: at most 3d (w + h) + 8 d^2;
+ * - evaluating E rounds each of the four differences, both products and the result: at most 8 units
+ *   of 2^-24 w h;
+ * - intersect() computes its edge functions in binary64, in the coordinates of the rays except for
+ *   a factor. Its errors are smaller than those from d by the ratio of 2^-53 to 2^-24.
  *
- * 4 d (w + h + 2 d) + 2^-20 w h is larger than the sum of the three. Triangles that
- * are much larger than their box (they reach beyond the image) are always uncertain, and
- * so are those that are not wholly before the eye.
+ * 4 d (w + h + 2 d) + 2^-20 w h is larger than the sum of the three. Triangles much larger than
+ * their box (they reach beyond the image) are always uncertain, and so are triangles that are not
+ * wholly in front of the eye.
  *
- * The depth of a hit lies between those of the corners, which is all that is kept of
- * it: see Nearness.h.
+ * Only a range is kept of the depth of a hit: it lies between the depths of the corners. See
+ * Nearness.h.
  */
 #ifndef lambent_Coverage_h
 #define lambent_Coverage_h
@@ -45,62 +43,62 @@
 
 namespace lambent
 {
-/// A triangle whose box is exact and of few rays.
+/// A triangle whose box is exact and contains few rays.
 struct SmallTriangle
 {
   std::uint32_t number;
-  std::uint32_t part;      ///< of the scene's surfaces
-  std::int32_t corners[3]; ///< points of that surface
+  std::uint32_t part;      ///< index of its surface in the scene
+  std::int32_t corners[3]; ///< point numbers in that surface
   std::int32_t i, j;       ///< the lower left ray of the box
 };
 
-/// Those with boxes of one size, of surfaces of which both sides are seen.
+/// Small triangles with boxes of one size, from surfaces without culling.
 struct SmallTriangles
 {
   static constexpr int capacity = 32;
-  /// Boxes of at most so many rays along an axis are small.
+  /// Boxes of at most this many rays along each axis are small.
   static constexpr int side = 8;
 
   int count = 0;
   SmallTriangle items[capacity];
 };
 
-/// The same as the kernel wants them.
+/// The same triangles in the layout of the kernel.
 struct CoverageBatch
 {
   int count = 0;
   int width, height; ///< of the boxes
   std::uint32_t triangles[SmallTriangles::capacity];
   std::int32_t i[SmallTriangles::capacity], j[SmallTriangles::capacity];
-  /// The corners: ax, ay, az, bx, ... in the world.
+  /// The corners in world coordinates: ax, ay, az, bx, ...
   alignas(64) double points[9][SmallTriangles::capacity];
 };
 
-/// A triangle by its place in the batch, and a ray of its box, from the lower left one.
+/// A triangle by its place in the batch, and a ray of its box, counted from the lower left one.
 struct CoveredRay
 {
   std::uint32_t bits;
 
-  static constexpr std::uint32_t at(int i, int j) { return i << 8 | j << 16; } // of the first
+  static constexpr std::uint32_t at(int i, int j) { return i << 8 | j << 16; } // of triangle 0
   int triangle() const { return this->bits & 0xFF; }
   int i() const { return this->bits >> 8 & 0xFF; }
   int j() const { return this->bits >> 16; }
 };
 
-/// The rays that they cover.
+/// The rays that the triangles of a batch cover, certainly or perhaps.
 struct CoveredRays
 {
-  // Each of a batch's triangles with each ray of its box, and room for a vector.
+  // Every ray of every box of a batch, and room for a vector.
   static constexpr int capacity =
     SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
 
   int certain = 0, uncertain = 0;
   CoveredRay certainRays[capacity], uncertainRays[capacity];
-  /// The nearness of each triangle's hits.
+  /// The nearness range of each triangle's hits.
   float lows[SmallTriangles::capacity], highs[SmallTriangles::capacity];
 };
 
-/// Results are put in anew.
+/// Replaces the contents of `covered`.
 void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered);
 }
 

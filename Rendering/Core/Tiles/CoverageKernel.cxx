@@ -38,10 +38,10 @@ Floats largest(Floats a, Floats b, Floats c)
   return hn::Max(hn::Max(a, b), c);
 }
 
-/// The corners as they are projected: au, av, depth of a, bu, ...
+/// The projected corners: au, av, depth of a, bu, ...
 using Screen = float[9][SmallTriangles::capacity];
 
-/// As PointLattice::locate() does it, and rounded.
+/// Projects the corners as PointLattice::locate() does, and rounds to float.
 void project(const PointLattice& lattice, const CoverageBatch& batch, Screen& screen)
 {
   const VectorFrame frame(lattice.frame());
@@ -62,13 +62,13 @@ void project(const PointLattice& lattice, const CoverageBatch& batch, Screen& sc
   }
 }
 
-/// One of the two products of the three edge functions.
+/// One of the two products of each edge function.
 struct Products
 {
   Floats bc, ca, ab;
 };
 
-/// Some triangles of a batch.
+/// Triangles of a batch, one per lane.
 struct Lanes
 {
   Floats au, av, bu, bv, cu, cv;
@@ -122,7 +122,7 @@ Products acrossRow(const Lanes& t, Floats pv)
     hn::Mul(hn::Sub(t.bu, t.au), hn::Sub(pv, t.av)) };
 }
 
-/// Append those rays that mask says.
+/// Appends the rays that the mask selects.
 int append(FloatMask mask, hn::Vec<U> rays, CoveredRay* out)
 {
   static_assert(sizeof(CoveredRay) == sizeof(std::uint32_t), "a lane is a ray");
@@ -140,7 +140,7 @@ void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<
   const FloatMask isHit = hn::Or(hn::Gt(low, t.error), hn::Lt(high, minusError));
   const FloatMask isMiss = hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error));
   const FloatMask hit = hn::And(isHit, t.isUsed);
-  const FloatMask open = hn::AndNot(hn::Or(isMiss, isHit), t.isUsed); // also what is no number
+  const FloatMask open = hn::AndNot(hn::Or(isMiss, isHit), t.isUsed); // includes NaN
   covered.certain += append(hit, rays, covered.certainRays + covered.certain);
   if (HWY_UNLIKELY(!hn::AllFalse(f, open)))
   {

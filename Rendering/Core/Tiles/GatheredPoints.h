@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief locate the points of one surface after the other, those of small ones together
+ * @brief locates the points of one surface after another, gathering those of small surfaces
  *
- * A kernel takes as long for one point as for a vector of them. So the points of surfaces that
- * have few are copied side by side first.
+ * A kernel takes as long for one point as for a whole vector. So the points of small surfaces are
+ * first copied side by side.
  */
 #ifndef lambent_GatheredPoints_h
 #define lambent_GatheredPoints_h
@@ -24,7 +24,8 @@ public:
   {
   }
 
-  /// The points [begin, end) of a surface; their positions are written now or by a later call.
+  /// Locates the points [begin, end) of a surface. Their positions are written now or by a later
+  /// call.
   void locate(
     const TupleSpan& points, std::size_t begin, std::size_t end, LatticePosition* positions)
   {
@@ -60,7 +61,7 @@ private:
   const PointLattice& Lattice;
   double Coordinates[3 * capacity];
   std::size_t Count = 0;
-  LatticePosition* First = nullptr; ///< where the first of them goes
+  LatticePosition* First = nullptr; ///< destination of the first position
 };
 }
 

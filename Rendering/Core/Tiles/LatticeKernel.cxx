@@ -37,7 +37,7 @@ void loadPoints(const float* from, V& x, V& y, V& z)
   z = hn::PromoteTo(d, fz);
 }
 
-/// PointLattice::position(), of numbers only.
+/// PointLattice::position(), if u is not NaN.
 hn::Vec<Halves> position(const PointLattice::Axis& axis, V u, int shift)
 {
   const hn::Rebind<std::int32_t, D> di;
@@ -102,8 +102,8 @@ hn::Vec<hn::Rebind<std::uint32_t, D>> narrowed(hn::Vec<hn::Rebind<std::uint32_t,
   return ids;
 }
 
-/// The indices [begin, end), as 32 bits. They are many and read but once: the processor's
-/// own prefetching alone does not keep up.
+/// Reads the indices [begin, end) as 32 bits. There are many, each read once, and the prefetching
+/// of the processor does not keep up.
 template <typename Index>
 bool readCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   std::size_t pointCount, std::int32_t offset, std::int32_t* out)
@@ -145,7 +145,7 @@ bool AddCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
 }
 
 #if HWY_TARGET == HWY_SCALAR
-// One triangle at a time: lanes of 32 bits cannot be seen as pairs of 16 here.
+// One triangle at a time: here, lanes of 32 bits cannot be cast to pairs of 16.
 void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
 {
   boxes.found = boxes.unplaced = 0;
@@ -172,7 +172,7 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
   }
 }
 #else
-// A position's two halves stand side by side in one lane of 32 bits.
+// The two halves of a position share one lane of 32 bits.
 using Pairs = hn::CappedTag<std::uint32_t, 16>;
 using PairIndices = hn::RebindToSigned<Pairs>;
 using PairHalves = hn::Repartition<std::uint16_t, Pairs>;
@@ -188,7 +188,7 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
   const auto columnBits = hn::Set(dp, 0xFFFFu);
   boxes.found = boxes.unplaced = 0;
   const auto step = static_cast<int>(hn::Lanes(dp));
-  // The last vector may look up more triangles than there are: any point will do.
+  // The last vector may look up more triangles than there are; any valid point will do.
   std::fill(boxes.corners + 3 * boxes.count,
     boxes.corners + std::min(3 * (boxes.count + step), 3 * LatticeBoxes::capacity), 0);
   for (int k = 0; k < boxes.count; k += step)
@@ -202,7 +202,7 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     const auto first = hn::ShiftRight<1>(smallest);
     const auto end = hn::ShiftRight<1>(hn::Add(largest, hn::Set(dh, 1)));
     const auto hasRays = hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
-    // Both halves of a position say so if it is unplaced; one of them is the column.
+    // If a position is unplaced, both halves say so. Test the column.
     const auto unplaced = hn::Gt(
       hn::And(hn::BitCast(dp, largest), columnBits), hn::Set(dp, LatticePosition::notFinite - 1u));
     const auto isUsed = hn::Lt(hn::Iota(di, k), hn::Set(di, boxes.count));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief PointLattice for many points, and its boxes for many triangles, at a time
+ * @brief PointLattice::locate() for many points, and the boxes of many triangles, at a time
  */
 #ifndef lambent_LatticeKernel_h
 #define lambent_LatticeKernel_h
@@ -16,36 +16,35 @@ namespace lambent
 void locatePoints(const PointLattice& lattice, const TupleSpan& points, std::size_t begin,
   std::size_t end, LatticePosition* positions);
 
-/// The boxes of some triangles.
+/// The boxes of a batch of triangles.
 struct LatticeBoxes
 {
   static constexpr int capacity = 256;
 
-  /// Going in: the corners of each triangle, three after three, as places among the positions.
+  /// Input: three corners per triangle, as places among the positions.
   int count = 0;
   std::int32_t corners[3 * capacity];
 
-  /// Coming out: the ends of each triangle's box, and whether it is inexact.
+  /// Output: first and end of each triangle's box, and whether the box is inexact.
   LatticePosition first[capacity], end[capacity];
   std::uint32_t isInexact[capacity];
 
-  /// The triangles with a ray in their box, by their place among those that went in.
+  /// The triangles with a ray in their box, by their place in the batch.
   int found = 0;
   std::uint32_t triangles[capacity];
 
-  /// And those with a point that is anywhere or not finite.
+  /// The triangles with a point that is "anywhere" or "not finite".
   int unplaced = 0;
   std::uint32_t unplacedTriangles[capacity];
 };
 
-/// Add the corners of the triangles [begin, end) of a surface, whose points are at offset and
-/// after it; 32 bits must hold the last. False, and nothing added, if a corner is not below
+/// Adds the corners of the triangles [begin, end) of a surface. The positions of its points start
+/// at `offset`; 32 bits must hold the last. Returns false and adds nothing if a corner is not below
 /// pointCount.
 bool addCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes);
 
-/// Fill in what comes out. The ends are those that raysBetween() would give, before
-/// groups of rays are taken apart.
+/// Computes the output. The ends are those of raysBetween() before groups of rays are expanded.
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes);
 }
 

@@ -9,8 +9,8 @@ namespace
 // The largest number of groups of rays: 2k + 1 stays below "not finite".
 constexpr int maximumGroups = 32000;
 
-// Positions are computed from numbers up to this many rays, with a handful of
-// roundings of 2^-53 each.
+// Positions are computed from values of up to |origin| + count rays, with a few roundings of 2^-53
+// each.
 double marginOf(double origin, int count)
 {
   return std::ldexp(std::fabs(origin) + count, -44) + std::ldexp(1.0, -30);
@@ -51,7 +51,7 @@ LatticePosition PointLattice::locate(const Vec3& point) const
   const FramePoint p = this->Frame.toFrame(point);
   if (!(p.w > 0.0) || !std::isfinite(p.z) || !this->isPrecise())
   {
-    // Each of the frame's axes mixes all coordinates: one that is not finite shows in z.
+    // Each axis of the frame combines all coordinates, so one that is not finite shows in z.
     const std::uint16_t nowhere =
       isFinite(point) ? LatticePosition::anywhere : LatticePosition::notFinite;
     return { nowhere, nowhere };

@@ -2,23 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief where points fall between the rays, in four bytes each
+ * @brief where points fall between the rays, in four bytes per point
  *
- * Per axis a point's position is the number k of rays to the left of (below) its
- * projection. A triangle can only be hit by the rays from the smallest k of its
- * three points up to, but not including, the largest: one whose points all have
- * the same k lies between the rays and is dropped after three small reads,
- * without looking at its coordinates again.
+ * Along each axis, the position of a point is the number k of rays to the left of (or below) its
+ * projection. A triangle can only be hit by the rays from the smallest k of its three points up to,
+ * but not including, the largest. If all three have the same k, the triangle lies between the rays.
+ * It is dropped after three small reads, without reading its coordinates again.
  *
- * A projection so close to a ray that rounding could put it on either side counts
- * as k or k + 1. The position is stored as 2k, or 2k + 1 for "k or k + 1"; of a
- * triangle the first ray is then min >> 1 and the end (max + 1) >> 1. Images too
- * large for 15 bits are counted in groups of 2^shift rays.
+ * If a projection is so close to a ray that rounding could put it on either side, its position is k
+ * or k + 1. The stored number is 2k, or 2k + 1 for "k or k + 1". The first ray of a triangle is
+ * then min >> 1, and the end (max + 1) >> 1. Images too large for 15 bits are counted in groups of
+ * 2^shift rays.
  *
- * All of this may only keep too much, never too little: hits are decided by
- * intersect() alone. Its bounding-box condition is what makes the range exact: the
- * sign of a sheared vertex a.x - x a.w is right but for a rounding of x a.w, which
- * moves a projection by less than the margin below.
+ * The lattice may keep too many triangles, never too few: intersect() decides the hits. Its
+ * bounding-box condition makes the range exact. The sign of a sheared vertex a.x - x a.w is right
+ * except for the rounding of x a.w, which moves a projection by less than the margin below.
  */
 #ifndef lambent_PointLattice_h
 #define lambent_PointLattice_h
@@ -34,9 +32,9 @@ struct LatticePosition
 {
   std::uint16_t column, row;
 
-  /// At or behind the eye, or not to be placed: the point says nothing.
+  /// The point is at or behind the eye, or cannot be placed. Its triangles need another test.
   static constexpr std::uint16_t anywhere = 0xFFFF;
-  /// A coordinate of the point itself is not finite: its cells are not drawn.
+  /// A coordinate of the point is not finite. Its cells are not drawn.
   static constexpr std::uint16_t notFinite = 0xFFFE;
 };
 
@@ -45,9 +43,9 @@ class PointLattice
 public:
   struct Axis
   {
-    double origin; ///< of the image plane, in rays from the window's first one
+    double origin; ///< the image plane's origin, in rays from the first of the window
     double margin; ///< in rays
-    int count;     ///< of rays
+    int count;     ///< number of rays
   };
 
   PointLattice(const CameraFrame& frame, const Window& window);
@@ -60,25 +58,25 @@ public:
 
   LatticePosition locate(const Vec3& point) const;
 
-  /// By how much a projection on or near the image that is rounded to float can differ
-  /// from the exact one, in rays.
+  /// The largest difference, in rays, between the exact projection of a point on or near the image
+  /// and that projection rounded to float.
   float screenError() const
   {
     const double largest = 64.0 + std::max(this->Columns.count, this->Rows.count);
     return static_cast<float>(std::ldexp(largest, -24) + this->Columns.margin + this->Rows.margin);
   }
 
-  /// Whether positions mean anything: not where the window lies so far from the
-  /// image's centre that rounding could move a position by a ray, or where a pixel is
-  /// of a size that makes the products of edge functions vanish or overflow.
+  /// Whether positions are meaningful. They are not if the window lies so far from the centre of
+  /// the image that rounding could move a position by a ray, or if the size of a pixel makes
+  /// products of edge functions underflow or overflow.
   bool isPrecise() const
   {
     return this->Columns.margin < 0.25 && this->Rows.margin < 0.25 && this->RaysPerUnit > 1e-60 &&
       this->RaysPerUnit < 1e60;
   }
 
-  /// The rays that can hit a triangle with points at a, b and c, none of them
-  /// "anywhere" or "not finite".
+  /// The rays that can hit a triangle with points at a, b and c, none of which is "anywhere" or
+  /// "not finite".
   Window raysBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
     return this->raysFrom(
@@ -88,7 +86,7 @@ public:
         static_cast<std::uint16_t>((std::max(a.row, std::max(b.row, c.row)) + 1) >> 1) });
   }
 
-  /// The rays of groups from first on, before end.
+  /// The rays of the groups from first up to, but not including, end.
   Window raysFrom(LatticePosition first, LatticePosition end) const
   {
     if (this->Shift == 0)
@@ -99,7 +97,7 @@ public:
       first.row << this->Shift, std::min(end.row << this->Shift, this->Rows.count) };
   }
 
-  /// Whether raysBetween() is exactly the rays that pass intersect()'s box test: no
+  /// Whether raysBetween() gives exactly the rays that pass the box test of intersect(): no
   /// position is "k or k + 1", and rays are not grouped.
   bool isExact(LatticePosition a, LatticePosition b, LatticePosition c) const
   {

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the samples of the image, grouped into square tiles, on several levels
+ * @brief groups the samples of the image into square tiles, on several levels
  *
- * The finest tiles are the units of work: each casts and shades its samples alone.
- * A triangle that spans more than two of them along an axis is kept once, in a
- * tile of a coarser level that is eight times as wide, instead of in every fine
- * tile below; so no triangle is kept in more than four places, and one that
- * covers the whole image costs no more memory than a small one. A fine tile reads
- * its own triangles and those of the coarser tiles above it.
+ * The finest tiles are the units of work: the samples of each are cast and shaded independently. A
+ * triangle that spans more than two of them along an axis is stored on a coarser level, whose tiles
+ * are eight times as wide, instead of in every fine tile below. So no triangle is stored in more
+ * than four places, and one that covers the whole image needs no more memory than a small one. A
+ * fine tile reads its own triangles and those of the coarser tiles above it.
  *
- * A tile holds whole pixels. Where its size is a power of two, a sample's tile is found by
- * shifting.
+ * A tile holds whole pixels. If its size is a power of two, a shift finds the tile of a sample.
  */
 #ifndef lambent_TileGrid_h
 #define lambent_TileGrid_h
@@ -31,10 +29,10 @@ public:
   struct Level
   {
     int size;  ///< of a tile, in samples
-    int shift; ///< log2 of the size, -1 if it is no power of two
+    int shift; ///< log2 of the size, or -1 if it is no power of two
     int columns, rows;
     int first;     ///< number of the level's first tile, counted over all levels
-    int unitShift; ///< boxes in a tile count in 2^unitShift samples, so that 256 steps do
+    int unitShift; ///< boxes use units of 2^unitShift samples, so that 256 steps suffice
 
     /// Along an axis: the tile of a sample, and the first sample of that tile.
     int tileOf(int k) const { return this->shift >= 0 ? k >> this->shift : k / this->size; }
@@ -46,8 +44,8 @@ public:
     }
   };
 
-  /// A grid over width x height samples, with finest tiles of size x size. Samples count from
-  /// 0 here. There are at least two levels.
+  /// A grid over width x height samples, with finest tiles of size x size samples. Samples are
+  /// counted from 0 here. There are at least two levels.
   TileGrid(int width, int height, int size)
     : Whole{ 0, width, 0, height }
   {
@@ -66,19 +64,19 @@ public:
     }
   }
 
-  /// A finest tile's samples are numbered row by row, 2^rowShift() a row.
+  /// The samples of a finest tile are numbered row by row, 2^rowShift() per row.
   int rowShift() const { return this->RowShift; }
 
   const Window& whole() const { return this->Whole; }
   const std::vector<Level>& levels() const { return this->Levels; }
   bool isFinest(const Level& level) const { return level.first == 0; }
 
-  /// Of the finest level: the units of work.
+  /// The number of finest tiles, the units of work.
   int tileCount() const { return this->Levels[0].columns * this->Levels[0].rows; }
-  /// Over all levels.
+  /// The number of tiles on all levels.
   int totalCount() const { return this->Total; }
 
-  /// The samples of the tile of a level that (i, j) is in, clipped to the image.
+  /// The samples of the tile that contains (i, j) on a level, clipped to the image.
   Window window(const Level& level, int i, int j) const
   {
     return this->windowFrom(level, level.beginOf(i), level.beginOf(j));
@@ -91,7 +89,7 @@ public:
       finest, tile % finest.columns * finest.size, tile / finest.columns * finest.size);
   }
 
-  /// The finest level, from one on, on which samples fall into at most two by two tiles.
+  /// The finest level, starting at `from`, on which the samples fall into at most two by two tiles.
   const Level& levelFor(const Window& samples, std::size_t from = 0) const
   {
     while (spans(samples, this->Levels[from]))
@@ -102,7 +100,7 @@ public:
   }
 
 private:
-  /// Of a tile: as large as any image, and its end is still a number.
+  /// The largest size of a tile: as large as any image, while its end still fits an int.
   static constexpr std::int64_t largestSize = 1 << 30;
 
   void addLevel(int size, int first)
