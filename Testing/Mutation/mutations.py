@@ -186,7 +186,7 @@ MUTATIONS = [
      "triangles of several surfaces keep their numbers"),
     ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
      "points that are located together lie side by side"),
-    (FILM, "(row + 0.5)", "(row + 0.0)", "the gradient is that of the rows' centres"),
+    (FILM, "(j + 0.5)", "(j + 0.0)", "the gradient is that of the rows' centres"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
      "radians have a low part"),
