@@ -4,10 +4,8 @@
  * @file
  * @brief processes the tiles: casts their rays, shades the hits, stores the pixels
  *
- * A tile with few triangles is one task, done in the worker's own memory. A worker takes several
- * neighbouring tiles at a time. A tile with many triangles is split into several tasks, each with a
- * share of its triangles. They merge their hits, and the last of them shades. So a mesh that falls
- * into a single tile keeps all workers busy.
+ * Each task of TilePlan.h is done in the worker's own memory. The tasks of a split tile merge
+ * their hits, and the last of them shades.
  */
 #ifndef lambent_TileTasks_h
 #define lambent_TileTasks_h
@@ -15,8 +13,11 @@
 #include "Casting.h"
 #include "Painting.h"
 #include "Parallel.h"
+#include "TilePlan.h"
 
+#include <memory>
 #include <mutex>
+#include <vector>
 
 namespace lambent
 {
@@ -32,6 +33,7 @@ public:
     , Caster(casting)
     , Painter(painting)
     , Kernels(kernels)
+    , Plan(grid, workers)
     , Scratch(workers)
   {
   }
@@ -40,7 +42,7 @@ public:
   void plan(const std::vector<const Bins*>& bins);
 
   /// The number of batches in the plan, each of about the same amount of work.
-  std::size_t batchCount() const { return this->Batches.size() - 1; }
+  std::size_t batchCount() const { return this->Plan.batchCount(); }
 
   /// Casts one batch. Tiles are painted in the last round. Before that they keep their hits for the
   /// next round.
@@ -48,12 +50,7 @@ public:
     bool isLastRound);
 
 private:
-  struct Task
-  {
-    int tile;
-    int share, shares; ///< of the tile's pages; shares is 0 if it has no pages
-    int split;         ///< index of the split tile that collects the hits, or -1
-  };
+  /// Collects the hits of its shares.
   struct SplitTile
   {
     std::mutex mutex;
@@ -68,14 +65,9 @@ private:
     PaintingMemory painting;
   };
 
-  std::size_t countPages(const std::vector<const Bins*>& bins, int tile) const;
-  std::size_t sharesFor(std::size_t pages) const;
-  void addShares(int tile, std::size_t shares);
-  void endGroup();
-  void endBatch();
   void run(
-    const Task& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
-  void cast(const Task& task, const std::vector<const Bins*>& bins, Memory& memory) const;
+    const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
+  void cast(const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory) const;
   void paint(const TileHits<Nearest>& tile, Memory& memory) const;
 
   const CameraFrame& Frame;
@@ -84,11 +76,9 @@ private:
   const Casting<Nearest>& Caster;
   const Painting& Painter;
   const bool Kernels;
+  TilePlan Plan;
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one per worker
   std::vector<TileHits<Nearest>> Kept;          ///< one per tile, if there is more than one round
-  std::vector<Task> Tasks;
-  std::vector<std::size_t> Groups;  ///< of tasks for one worker: the first of each, and the end
-  std::vector<std::size_t> Batches; ///< of groups: the first of each, and the end
   std::vector<std::unique_ptr<SplitTile>> Splits;
 };
 }
