@@ -52,7 +52,7 @@ lambent::Camera framed(
     lambent::Camera(), findBounds(scene.surfaces, parallel), stage.width, stage.height);
 }
 
-void drawPart(const lambent::Scene& scene, const lambent::Window& part,
+void drawPart(const lambent::Scene& scene, int samples, const lambent::Window& part,
   const lambent::Parallel& parallel, bool byBruteForce, Picture& picture)
 {
   std::vector<float> floats(3u * part.width() * part.height());
@@ -61,8 +61,9 @@ void drawPart(const lambent::Scene& scene, const lambent::Window& part,
   image.width = picture.width;
   image.height = picture.height;
   image.part = part;
+  image.samples = samples;
   const lambent::Settings settings =
-    byBruteForce ? lambent::Settings::bruteForce(part) : lambent::Settings();
+    byBruteForce ? lambent::Settings::bruteForce(image.samplePart()) : lambent::Settings();
   image.floats = floats.data();
   const auto outcome = render(scene, image, parallel, nullptr, settings).outcome;
   image.floats = nullptr;
@@ -100,7 +101,7 @@ Picture draw(const Stage& stage, const Manner& manner)
   Picture picture(stage);
   for (const lambent::Window& part : partsOf(stage, manner))
   {
-    drawPart(scene, part, parallel, manner.byBruteForce, picture);
+    drawPart(scene, stage.samples, part, parallel, manner.byBruteForce, picture);
   }
   return picture;
 }

@@ -24,6 +24,7 @@ struct SceneEntry
 using SceneList = std::vector<SceneEntry>;
 
 SceneList viewScenes();
+SceneList sampleScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList crowdScenes();

@@ -43,6 +43,7 @@ struct Body
 struct Stage
 {
   int width = 96, height = 72;
+  int samples = 1; ///< along each axis of a pixel
   std::vector<Body> bodies;
   /// Camera, lights and backgrounds; its surfaces are made of the bodies.
   lambent::Scene scene;

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Several samples a pixel.
+#include "Scenes.h"
+
+namespace
+{
+/// A ball before a box of another colour, on a gradient.
+void still(Stage& s, int samples)
+{
+  s.samples = samples;
+  s.daylight();
+  s.add(ball(3)).round();
+  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
+  s.scene.background = { 0.1, 0.2, 0.3 };
+  s.scene.backgroundTop = { 0.7, 0.5, 0.2 };
+}
+}
+
+SceneList sampleScenes()
+{
+  return {
+    { "samples-2", [](Stage& s) { still(s, 2); } },
+    { "samples-3", [](Stage& s) { still(s, 3); } },
+    { "samples-4-parallel",
+      [](Stage& s)
+      {
+        still(s, 4);
+        s.lookParallel(1.625);
+      } },
+    { "samples-5-odd-size",
+      [](Stage& s)
+      {
+        still(s, 5);
+        s.size(67, 41);
+      } },
+    { "samples-16",
+      [](Stage& s)
+      {
+        still(s, 16);
+        s.size(33, 25);
+      } },
+    { "samples-3-unlit",
+      [](Stage& s)
+      {
+        s.samples = 3;
+        s.add(ball(2)).unlit().paint({ 0.25, 0.5, 1.0 });
+        s.add(moved(ball(2), { 0.5, 0.25, 0.5 })).flat().paint({ 1.0, 0.5, 0.25 });
+        s.daylight();
+      } },
+  };
+}
