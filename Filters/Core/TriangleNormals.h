@@ -16,8 +16,8 @@ namespace lambent
 /**
  * The number of the normal at each corner of the triangles of Triangulation.h: n - 2 triangles
  * for a face with n corners, in ascending order of the faces. `normals` must have numbers. If
- * a triangle's point does not belong to its face (the triangle replaces a face with a point
- * that is not finite), its corner gets the point's number.
+ * its face does not name a corner's point, the corner gets the number of the point. This
+ * happens in a strip with a point that is not finite: all its triangles consist of that point.
  */
 std::vector<std::int32_t> numbersOfTriangles(const CellSpan& faces, const CornerNormals& normals,
   const IndexSpan& corners, const Parallel& parallel);
