@@ -10,8 +10,8 @@
  *
  * In a triangle |u x v| is the same at each corner. The smaller u . v, the larger the
  * angle. The two corners with the larger products have angles of at most pi / 2. The third
- * angle is pi minus their sum, and at least pi / 3. The two arctangents share one division:
- * 1 by the product of their denominators.
+ * angle is pi minus their sum, and at least pi / 3. The two arctangents share one division,
+ * of 1 by the product of their denominators.
  *
  * For the arctangent, (x, y) is first rotated back by the nearest of 0, pi/4 and pi/2.
  * A polynomial gives the remaining angle, at most pi/8.

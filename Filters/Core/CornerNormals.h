@@ -24,7 +24,7 @@
  *    sum has no direction. Then each face of the group has its own normal at P.
  *
  * Faces without area belong to no group and contribute nothing; their corners have the normal
- * of the group with the smallest face. The error of a sum of n terms is at most
+ * of the group with the lowest face id. The error of a sum of n terms is at most
  * (16 + n) 2^-53 times the sum of the lengths, so a direction that is used is accurate to
  * (16 + n) 2^-33 radians. In step 1 the lower bound in cosineOfHalf() (CornerRange.h)
  * guarantees the same.

@@ -22,8 +22,8 @@
 
 namespace lambent
 {
-/// cos(angle / 2), but at least 2^-20: near 180 degrees it approaches zero, and a sum that passes
-/// the test of isSteep() could be mere rounding error.
+/// cos(angle / 2), but at least 2^-20. With a cosine of zero, at 180 degrees, a point's normal
+/// could be mere rounding error although no face is steep.
 inline double cosineOfHalf(double angle)
 {
   return std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20));

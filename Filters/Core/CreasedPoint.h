@@ -187,8 +187,8 @@ private:
 
   static constexpr double leastPart = 1.0 / (1 << 20);
 
-  /// Whether a sum surely has a direction. The terms are as long as angles, which bounds the sum of
-  /// their lengths.
+  /// Whether a sum of `count` terms has a direction, whatever their lengths. These are angles, less
+  /// than mostOfTerm.
   static bool isLong(const Vec3& sum, int count)
   {
     constexpr double mostOfTerm = 7.0; // more than a full turn

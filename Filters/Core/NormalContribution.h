@@ -25,8 +25,8 @@
  * origin. In a triangle u x v is N at each corner.
  *
  * At a reflex corner the angle is 360 degrees minus that between the edges, and Max's vector
- * is negated to the side of N. So the sum does not depend on how a plane region is divided
- * into polygons.
+ * is negated, so that it lies on the side of N. So the sum does not depend on how a plane
+ * region is divided into polygons.
  *
  * A face contributes nothing if |N|^2 is zero, subnormal (less than full precision) or
  * not finite. With Angle and Max, corners at edges of zero length contribute nothing either.

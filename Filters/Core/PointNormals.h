@@ -17,8 +17,9 @@
  *    without points in the range, and adds the contributions to points in the range.
  * 3. It normalizes the sums of its range.
  *
- * Blocks of triangles only use NormalKernel.h, several triangles at a time. All other
- * blocks, and all blocks if the vector target is "plain", go one face at a time.
+ * Blocks that contain only triangles use NormalKernel.h, several triangles at a time. All
+ * other blocks go one face at a time, and so do all blocks if a face is skipped or the vector
+ * target is "plain".
  *
  * No sum is shared, so nothing is locked, and each sum receives its terms in the order of
  * the serial loop. The price is that a face with corners in two ranges is computed twice.

@@ -15,7 +15,7 @@ namespace lambent
 {
 /**
  * The number of the normal at each corner of the triangles of Triangulation.h: n - 2 triangles
- * for a face with n corners, in ascending order of the faces. `normals` must have numbers. If
+ * for a face with n corners, in ascending order of the faces. normals.numbers must be set. If
  * its face does not name a corner's point, the corner gets the number of the point. This
  * happens in a strip with a point that is not finite: all its triangles consist of that point.
  */
