@@ -1,12 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# For the scripts of this project: what must be installed, and the build. Sourced by POSIX shells,
-# with $root set to the project's folder. It speaks on standard error; standard output is the
-# script's own.
+# Functions for the scripts of this project: install packages and build. Source it from a POSIX
+# shell, with $root set to the project's folder. Messages go to standard error; standard output
+# belongs to the script.
 
-# Debian's cmake, ninja, compilers and python3 belong together with its VTK; others that come first
-# on PATH do not.
+# Put Debian's cmake, ninja, compilers and python3 first on PATH: only these fit Debian's VTK.
 PATH="/usr/bin:/bin:/usr/sbin:/sbin:$PATH"
 export PATH
 
@@ -20,7 +19,7 @@ fail() {
   exit 1
 }
 
-# quietly LOG COMMAND...: the output goes to the log, and is shown if the command fails.
+# quietly LOG COMMAND...: sends the output to the log; shows its end if the command fails.
 quietly() {
   log=$1
   shift
@@ -30,7 +29,7 @@ quietly() {
   fi
 }
 
-# need REASON PACKAGE...: notes those of the packages that are not installed, and says why.
+# need REASON PACKAGE...: records and reports the packages that are not installed.
 need() {
   reason=$1
   shift
@@ -63,7 +62,7 @@ need_matrix() {
     g++-aarch64-linux-gnu qemu-user-static
 }
 
-# Installs what need() found missing.
+# Installs the packages that need() found missing.
 install_missing() {
   [ -n "$missing" ] || return 0
   command -v apt-get >/dev/null ||
@@ -84,11 +83,11 @@ install_missing() {
   done
 }
 
-# The release build, in $build: configure [OPTION OF cmake...], then compile [OPTION OF cmake
-# --build...].
+# The release build, in $build: configure [OPTION OF cmake...], then compile [OPTION OF
+# cmake --build...].
 configure() {
   cache="$build/CMakeCache.txt"
-  # A build tree that came along with a copied or renamed folder still points to the old place.
+  # If the project's folder was copied or renamed, its build tree still points to the old path.
   if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
     say "$build was made for another folder; starting anew"
     rm -rf "$build"
@@ -101,7 +100,7 @@ configure() {
   quietly "$build/configure.log" cmake "$@"
 }
 
-# The benchmarks have a build of their own, of nothing else.
+# The benchmarks have a separate build without anything else.
 configure_benchmarks() {
   build="$root/build/benchmarks"
   configure -DLAMBENT_BUILD_BENCHMARKS=ON -DLAMBENT_BUILD_TESTING=OFF \

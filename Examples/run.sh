@@ -2,11 +2,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds what the quick starts of the README take (the module, the command,
-# the Python package), and renders a mesh:
+# Installs missing packages, builds everything for the quick starts of the README (the module, the
+# command, the Python package), and renders a mesh:
 #   sh Examples/run.sh [MESH] [options of the command lambent]
-# Without a MESH it is the seashell of Data/; without options too, the picture of the README. The
-# picture goes to build/, unless an option -o says otherwise.
+# The default MESH is the seashell of Data/. Without any arguments the result is the picture of the
+# README. It is written to build/, unless the options contain -o.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
 . "$root/.ci/setup.sh"
@@ -16,10 +16,10 @@ install_missing
 configure
 compile --target lambent vtkLambentPython
 
-# --verbose tells where the picture is, its size, the triangles and the time of each stage.
+# --verbose prints the path and size of the picture, the triangles, and the time of each stage.
 mesh="$root/Data/seashell.vtp"
 if [ $# -eq 0 ]; then
-  lambent() { # the quick start's, whose first words are: Data/seashell.vtp -o seashell.png
+  lambent() { # quickstart.sh calls this; its first arguments are: Data/seashell.vtp -o seashell.png
     shift 3
     "$build/bin/lambent" "$mesh" -o "$build/seashell.png" "$@" --verbose
   }

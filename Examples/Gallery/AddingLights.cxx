@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lights add up: I is the sum over the lights of rho_d I_k cos(theta_k). On the left a red and a
-// green light, on the right one more, a blue one; the surface is white.
+// Lights add up: I is the sum over the lights of rho_d I_k cos(theta_k). On the left, a red and a
+// green light; on the right, a blue one as well. The surface is white.
 
 #include "Gallery.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Ambient reflection: I = rho_d I_s max(0, cos(theta)) + rho_a I_s, for rho_a = 0, 0.1, 0.3, 0.5,
-// 0.7 at rho_d = 0.6. The side that is turned away gets rho_a I_s; from a sum of 1 on, it is white.
+// 0.7 at rho_d = 0.6. The side away from the light gets rho_a I_s; where I reaches 1, it is white.
 
 #include "Gallery.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Flat shading: m is the normal of the face, so each side of a box has one value of s.m under a
-// light from infinitely far away.
+// Flat shading: m is the normal of the face, so with an infinitely distant light s.m is constant
+// on each side of a box.
 
 #include "Gallery.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Coloured light on coloured surfaces: I = rho_d I_s cos(theta) in each channel on its own. From
+// Coloured light on coloured surfaces: I = rho_d I_s cos(theta), separately in each channel. From
 // left to right white, red, green, blue and orange surfaces; from top to bottom white, red, green
-// and blue light. What is red has nothing to reflect of green light, and is black in it.
+// and blue light. A red surface reflects no green light, so it appears black.
 
 #include "Gallery.h"
 
@@ -18,7 +18,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkImageAppend> rows;
   rows->SetAppendAxis(1);
-  for (int row = 3; row >= 0; --row) // images begin at the bottom
+  for (int row = 3; row >= 0; --row) // the bottom row first
   {
     vtkNew<vtkLambentRayTracer> tracer;
     for (int i = 0; i < 5; ++i)

@@ -3,8 +3,7 @@
 //
 // One cylinder of 16 sides, flat (left) and smooth (right). Flat: m is the normal of the face.
 // Smooth: m is the interpolated point normal, m = b0 n0 + b1 n1 + b2 n2 with the barycentric
-// coordinates b of the point that is seen (Phong). The outline is the same; only the light gives it
-// away.
+// coordinates b of the visible point (Phong). The outlines are the same; only the shading differs.
 
 #include "Gallery.h"
 
@@ -16,7 +15,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkLambentRayTracer> tracer;
   for (const bool smooth : { false, true })
   {
-    vtkNew<vtkCylinderSource> cylinder; // it has normals, and points of their own for its caps
+    vtkNew<vtkCylinderSource> cylinder; // has normals, and separate points for its caps
     cylinder->SetResolution(16);
     cylinder->SetRadius(0.9);
     cylinder->SetHeight(1.8);

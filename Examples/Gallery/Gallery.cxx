@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> Sphere(double x, double y, int resolution)
 vtkSmartPointer<vtkProperty> Surface(double red, double green, double blue)
 {
   auto property = vtkSmartPointer<vtkProperty>::New();
-  property->SetColor(red, green, blue); // of both reflections, diffuse and ambient
+  property->SetColor(red, green, blue); // both diffuse and ambient
   return property;
 }
 
@@ -76,7 +76,7 @@ void AddSurface(vtkLambentRayTracer* tracer, vtkPolyData* mesh, vtkProperty* pro
 void AddLight(
   vtkLambentRayTracer* tracer, double x, double y, double z, double red, double green, double blue)
 {
-  vtkNew<vtkLight> light; // not positional: all its rays run from its position to its focal point
+  vtkNew<vtkLight> light; // not positional: all rays are parallel, from position to focal point
   light->SetPosition(x, y, z);
   light->SetFocalPoint(0, 0, 0);
   light->SetColor(red, green, blue);

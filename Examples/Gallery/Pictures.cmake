@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The pictures of the gallery, for those who draw them and those who test them. Each is drawn by the
-# source file of that name. None where VTK lacks what they need.
+# The names of the gallery's pictures, for the programs and for their tests. The source file of the
+# same name draws each picture. The list is empty if VTK lacks a module that they need.
 set(pictures)
 if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOImage)
   set(pictures

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A box of 8 points has one normal at each, the mean of three sides, and smooth shading makes a
-// cushion of it (left). vtkLambentNormals with splitting gives each side of a sharp edge points and
-// normals of its own (right).
+// A box of 8 points has one normal at each, the mean of three sides, so smooth shading makes it
+// look like a cushion (left). vtkLambentNormals with splitting gives each side of a sharp edge its
+// own points and normals (right).
 
 #include "Gallery.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sphere sources of 8, 16 and 32 meridians, lit smooth with their own normals. The normals are
-// those of the sphere, so even the coarsest is lit like one; its outline shows what it is.
+// Sphere sources of 8, 16 and 32 meridians, shaded smoothly with their own normals. These are the
+// normals of a true sphere, so even the coarsest is shaded like one; its outline is still coarse.
 
 #include "Gallery.h"
 

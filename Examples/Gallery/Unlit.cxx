@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Lighting off: I = C, the colour of the surface, whatever the lights and the shape (on the right).
-// On the left the same sphere with lighting.
+// Lighting off (right): I = C, the colour of the surface, whatever the lights and the shape. On the
+// left, the same sphere with lighting.
 
 #include "Gallery.h"
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Coloured light on coloured surfaces: I = rho_d I_s cos(theta) in each channel on its own."""
+"""Coloured light on coloured surfaces: I = rho_d I_s cos(theta), separately in each channel."""
 
 import gallery
 from lambent import vtkLambentRayTracer
@@ -10,7 +10,7 @@ WHITE, RED, GREEN, BLUE, ORANGE = (1, 1, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1
 
 rows = vtkImageAppend()
 rows.SetAppendAxis(1)
-for light in (BLUE, GREEN, RED, WHITE):  # images begin at the bottom
+for light in (BLUE, GREEN, RED, WHITE):  # the bottom row first
     tracer = vtkLambentRayTracer()
     for i, colour in enumerate((WHITE, RED, GREEN, BLUE, ORANGE)):
         gallery.add_surface(tracer, gallery.sphere(gallery.STEP * i), gallery.surface(*colour))

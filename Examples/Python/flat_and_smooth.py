@@ -8,7 +8,7 @@ from vtkmodules.vtkFiltersSources import vtkCylinderSource
 
 tracer = vtkLambentRayTracer()
 for smooth in (False, True):
-    cylinder = vtkCylinderSource()  # it has normals, and points of their own for its caps
+    cylinder = vtkCylinderSource()  # has normals, and separate points for its caps
     cylinder.SetResolution(16)
     cylinder.SetRadius(0.9)
     cylinder.SetHeight(1.8)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples of the gallery share; Examples/Gallery/Gallery.h tells why and how."""
+"""Functions shared by the examples of the gallery; Examples/Gallery/Gallery.h explains them."""
 
 import sys
 
@@ -11,12 +11,12 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkLight, vtkProperty
 
-STEP = 2.5  # from one object of a row to the next
+STEP = 2.5  # between neighbouring objects in a row
 
 
 def on_grid(source):
-    """The output of a source, points and normals rounded to multiples of 2^-12, so that they do not
-    depend on the platform's sine."""
+    """The output of a source, with points and normals rounded to multiples of 2^-12, so that they
+    do not depend on the platform's sine."""
     source.Update()
     mesh = vtkPolyData()
     mesh.DeepCopy(source.GetOutput())
@@ -28,7 +28,7 @@ def on_grid(source):
 
 
 def sphere(x, y=0, resolution=48):
-    """A unit sphere about (x, y, 0) with normals of its own."""
+    """A unit sphere about (x, y, 0) with point normals."""
     source = vtkSphereSource()
     source.SetRadius(1)
     source.SetThetaResolution(resolution)
@@ -39,19 +39,19 @@ def sphere(x, y=0, resolution=48):
 
 def surface(*colour):
     prop = vtkProperty()
-    prop.SetColor(colour)  # of both reflections, diffuse and ambient
+    prop.SetColor(colour)  # both diffuse and ambient
     return prop
 
 
 def add_surface(tracer, mesh, prop):
-    """One more mesh in the scene, with a property of its own."""
+    """Add a mesh with its own property to the scene."""
     connection = tracer.GetNumberOfInputConnections(0)
     tracer.AddInputDataObject(0, mesh)
     tracer.SetInputProperty(connection, prop)
 
 
 def add_light(tracer, position, colour=(1, 1, 1)):
-    """A light from infinitely far away, coming from this direction."""
+    """Add an infinitely distant light that shines from this direction."""
     light = vtkLight()
     light.SetPosition(position)
     light.SetFocalPoint(0, 0, 0)
@@ -60,7 +60,7 @@ def add_light(tracer, position, colour=(1, 1, 1)):
 
 
 def show_places(tracer, columns, pixels):
-    """Show a row of places, STEP apart, the first about the origin, at so many pixels a place."""
+    """Show a row of places, STEP apart, the first about the origin, each `pixels` pixels wide."""
     x = STEP * (columns - 1) / 2
     camera = vtkCamera()
     camera.ParallelProjectionOn()
@@ -73,7 +73,7 @@ def show_places(tracer, columns, pixels):
 
 
 def look_from(tracer, position, width, height):
-    """Look at the origin from here, 30 degrees high."""
+    """Look at the origin from this position, with a view angle of 30 degrees."""
     camera = vtkCamera()
     camera.SetPosition(position)
     camera.SetFocalPoint(0, 0, 0)
@@ -84,8 +84,8 @@ def look_from(tracer, position, width, height):
 
 
 def save(picture, name):
-    """Write what an algorithm produces to the PNG file that the first argument names, or else to
-    this one."""
+    """Write the output of an algorithm to the PNG file that the first argument names, or else to
+    `name`."""
     writer = vtkPNGWriter()
     writer.SetInputConnection(picture.GetOutputPort())
     writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else name)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Point normals of a mesh that has none: a box of 8 points as one smooth surface (left), and cut open
+"""Point normals for a mesh without them: a box of 8 points as one smooth surface (left), and split
 along its sharp edges (right)."""
 
 import gallery

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A pipeline in ParaView's manner: source, filters, picture, writer, and no window. VTK's filters and
-Lambent's mix; each stage is set up once and runs when the writer asks for it."""
+"""A pipeline as in ParaView, but without a window: source, filters, picture, writer. VTK's filters
+connect to Lambent's. Each stage is set up once and runs when the writer requests its output."""
 
 from lambent import vtkLambentNormals, vtkLambentRayTracer
 from vtkmodules.vtkCommonDataModel import vtkQuadric
@@ -19,7 +19,7 @@ sample.SetModelBounds(-1, 1, -1, 1, -1, 1)
 sample.SetSampleDimensions(33, 33, 33)
 sample.ComputeNormalsOff()
 
-# The filters: its surface, and point normals.
+# The filters: extract its surface, and compute point normals.
 contour = vtkContourFilter()
 contour.SetInputConnection(sample.GetOutputPort())
 contour.SetValue(0, 0)
@@ -27,7 +27,7 @@ contour.ComputeNormalsOff()
 normals = vtkLambentNormals()
 normals.SetInputConnection(contour.GetOutputPort())
 
-# The picture, with the headlight that a scene without lights gets.
+# The picture. A scene without lights gets a headlight.
 camera = vtkCamera()
 camera.SetPosition(2, 2, 4)
 camera.SetFocalPoint(0, 0, 0)
@@ -44,7 +44,7 @@ tracer.GradientBackgroundOn()
 tracer.SetBackground2(0.4, 0.5, 0.6)
 tracer.SetImageSize(480, 360)
 
-# The writer, which makes all of it run.
+# The writer, which runs the whole pipeline.
 writer = vtkPNGWriter()
 writer.SetInputConnection(tracer.GetOutputPort())
 writer.SetFileName("pipeline.png")

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a test program that draws by itself: the filter applied to its own output
+ * @brief a test program that renders a picture itself: the filter applied to its own output
  */
 
 #include "vtkStellate.h"

@@ -18,8 +18,8 @@ vtkStandardNewMacro(vtkStellate);
 
 namespace
 {
-/// Where the apex of a polygon is. Its normal is Newell's. Only + - * / and sqrt, so that the
-/// picture is the same on every machine.
+/// The position of the apex over a polygon, along Newell's normal. Uses only + - * / and sqrt, so
+/// that the picture is the same on every machine.
 void findApex(
   vtkPoints* points, vtkIdType size, const vtkIdType* ids, double height, double apex[3])
 {

@@ -4,9 +4,9 @@
  * @class   vtkStellate
  * @brief   put a pyramid on each polygon
  *
- * Each polygon becomes a fan of triangles about an apex, which stands above the
- * mean of its points. The input's points keep their ids; the apexes follow, in the
- * order of the polygons. Other cells and all attributes are dropped.
+ * Each polygon becomes a fan of triangles around an apex above the mean of its
+ * points. The input's points keep their ids; the apexes follow in the order of the
+ * polygons. Other cells and all attributes are dropped.
  */
 
 #ifndef vtkStellate_h

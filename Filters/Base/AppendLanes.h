@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the lanes of a vector that a mask says, one after the other
+ * @brief store the lanes of a vector that a mask selects, without gaps
  *
- * Included once for each target, hence the toggled guard.
+ * Each target includes this header once, hence the toggled guard.
  */
 #if defined(lambent_AppendLanes_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef lambent_AppendLanes_h
@@ -24,8 +24,8 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Store those of 32-bit lanes at out, where there is room for a whole vector. Returns
-/// their number.
+/// Stores the selected 32-bit lanes at out, which must have room for a whole vector. Returns how
+/// many were selected.
 template <typename Tag>
 int appendLanes(Tag tag, hwy::HWY_NAMESPACE::Vec<Tag> values, hwy::HWY_NAMESPACE::Mask<Tag> mask,
   std::uint32_t* out)
@@ -35,8 +35,8 @@ int appendLanes(Tag tag, hwy::HWY_NAMESPACE::Vec<Tag> values, hwy::HWY_NAMESPACE
   hn::StoreU(hn::Compress(values, mask), tag, out);
   return static_cast<int>(hn::CountTrue(tag, mask));
 #else
-  // Without an instruction for it Highway shuffles by a table, which GCC copies to the
-  // stack each time.
+  // Where no instruction compresses lanes, Highway shuffles them by a table, which GCC copies to
+  // the stack each time.
   if (hn::AllFalse(tag, mask))
   {
     return 0;

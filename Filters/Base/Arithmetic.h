@@ -4,8 +4,8 @@
  * @file
  * @brief vectors of three doubles, in the arithmetic of the image contract
  *
- * GLM gives the type only. Its dot() and normalize() may sum in another order in another
- * release; these may not (ImageContract.h).
+ * Only the type comes from GLM. GLM's dot() and normalize() may change the order of their sums
+ * from one release to the next; the functions here must not (ImageContract.h).
  */
 #ifndef lambent_Arithmetic_h
 #define lambent_Arithmetic_h

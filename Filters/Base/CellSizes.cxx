@@ -10,7 +10,7 @@ namespace
 {
 constexpr std::size_t cellsPerChunk = 4096;
 
-/// Whether each of the cells [begin, end) is a triangle, right after the one before.
+/// Whether all cells [begin, end) are triangles, stored without gaps.
 template <typename Offset>
 bool areTriangles(const IndexSpan& offsets, std::size_t begin, std::size_t end)
 {
@@ -20,7 +20,7 @@ bool areTriangles(const IndexSpan& offsets, std::size_t begin, std::size_t end)
   std::size_t cell = begin;
   for (; cell + line <= end; cell += line)
   {
-    hwy::Prefetch(values + cell + ahead); // the processor's own does not keep up
+    hwy::Prefetch(values + cell + ahead); // hardware prefetching does not keep up
     for (std::size_t k = cell; k < cell + line; ++k)
     {
       different |= values[k] ^ static_cast<Offset>(3 * k);
@@ -33,7 +33,7 @@ bool areTriangles(const IndexSpan& offsets, std::size_t begin, std::size_t end)
   return different == 0;
 }
 
-/// Whether the offsets of the cells [begin, end) do not decrease, and stay within.
+/// Whether the offsets of the cells [begin, end) never decrease and stay within the connectivity.
 bool areSound(const CellSpan& cells, std::size_t begin, std::size_t end)
 {
   bool sound = true;

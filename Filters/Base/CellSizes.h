@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what can be said of the sizes of all cells of a list
+ * @brief classify a list of cells by their sizes, and validate its offsets
  */
 #ifndef lambent_CellSizes_h
 #define lambent_CellSizes_h
@@ -14,9 +14,9 @@ namespace lambent
 {
 enum class CellSizes
 {
-  Triangles, ///< all of them: the connectivity is that of a Surface
+  Triangles, ///< only triangles: a Surface can use the connectivity unchanged
   Mixed,
-  Broken ///< offsets that decrease or reach beyond the connectivity
+  Broken ///< some offset decreases or exceeds the size of the connectivity
 };
 
 CellSizes inspect(const CellSpan& cells, const Parallel& parallel);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief loops over pieces of a range, with checkpoints between parts of it
+ * @brief loops over chunks of a range, with checkpoints between parts
  *
- * A part takes some ten milliseconds, so that who watches the work sees it go on and can
- * stop it.
+ * A part takes some ten milliseconds, so that progress and aborts are handled promptly.
  */
 #ifndef lambent_Chunks_h
 #define lambent_Chunks_h
@@ -17,7 +16,7 @@
 
 namespace lambent
 {
-/// How many points or faces are gone through between two checkpoints.
+/// The number of points or faces that are processed between two checkpoints.
 constexpr std::size_t itemsPerPart = 512 * 1024;
 
 inline std::size_t chunkCount(std::size_t count, std::size_t chunkSize)
@@ -25,7 +24,7 @@ inline std::size_t chunkCount(std::size_t count, std::size_t chunkSize)
   return (count + chunkSize - 1) / chunkSize;
 }
 
-/// A share of some work: its checkpoints, from 0 to 1, lie between two of the whole's.
+/// A share of some work: maps its progress, from 0 to 1, to [begin, end] of the whole.
 class Share : public Parallel
 {
 public:
@@ -48,8 +47,8 @@ private:
   const double Begin, End;
 };
 
-/// Calls body(begin, end) for one part of [0, count) after the other. Where an item takes
-/// longer than usual, a part can have fewer.
+/// Calls body(begin, end) for each part of [0, count), in order. Choose a smaller partSize if an
+/// item takes longer than usual.
 template <std::size_t partSize = itemsPerPart, typename Body>
 void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
 {
@@ -61,8 +60,8 @@ void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
   }
 }
 
-/// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up
-/// to count, in any order. A part is a number of whole chunks.
+/// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up to count, in
+/// any order. A part consists of whole chunks.
 template <std::size_t chunkSize, std::size_t partSize = itemsPerPart, typename Body>
 void forEachChunk(const Parallel& parallel, std::size_t count, Body&& body)
 {

@@ -12,7 +12,7 @@ namespace
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// high + low, not added up; |low| is at most half an ulp of high.
+/// The unevaluated sum high + low; |low| is at most half an ulp of high.
 struct Pair
 {
   double high, low;
@@ -41,7 +41,7 @@ Pair fastSum(double a, double b)
   return { high, b - (high - a) };
 }
 
-/// a + b in any case.
+/// a + b, whatever their magnitudes.
 Pair sum(double a, double b)
 {
   const double high = a + b;
@@ -49,7 +49,7 @@ Pair sum(double a, double b)
   return { high, (a - (high - bPart)) + (b - bPart) };
 }
 
-/// a as the sum of two numbers of at most 26 bits each.
+/// Splits a into a sum of two numbers of at most 26 bits each.
 Pair halves(double a)
 {
   const double shifted = 134217729.0 * a; // 2^27 + 1
@@ -57,7 +57,7 @@ Pair halves(double a)
   return { high, a - high };
 }
 
-/// a * b without error.
+/// The exact product a * b.
 Pair product(double a, double b)
 {
   const Pair u = halves(a);
@@ -91,14 +91,14 @@ Pair quotient(Pair a, Pair b)
   return fastSum(high, ((a.high - taken.high) + (a.low - taken.low)) / b.high);
 }
 
-/// Half a right angle at most, and how many right angles were taken away.
+/// An angle of at most 45 degrees either way, and how many right angles were subtracted.
 struct ReducedAngle
 {
   double degrees;
   int quadrant;
 };
 
-/// Every step is exact: fmod is, and the subtraction has no digits to lose.
+/// Every step is exact: fmod() is, and the subtraction loses no digits.
 ReducedAngle reduce(double angle)
 {
   const double turn = std::fmod(std::fabs(angle), 360.0);
@@ -110,7 +110,7 @@ ReducedAngle reduce(double angle)
   return { turn - 90.0 * quadrant, static_cast<int>(quadrant) & 3 };
 }
 
-/// sin(x) for |x| <= pi/4; 1 - x^2/2 carries the low part of x.
+/// sin(x) for |x| <= pi/4; the low part of x is multiplied by 1 - x^2/2.
 Pair sineSeries(Pair x)
 {
   const double z = x.high * x.high;
@@ -149,7 +149,7 @@ double cosineOf(double degrees)
   return cosineSeries(product(RadiansPerDegree, degrees)).high;
 }
 
-/// mantissa^exponent; the mantissa is near 1, so that nothing can overflow.
+/// mantissa^exponent; the mantissa is near 1, so nothing can overflow.
 Pair wholePower(double mantissa, int exponent)
 {
   Pair result{ 1.0, 0.0 };
@@ -165,7 +165,7 @@ Pair wholePower(double mantissa, int exponent)
   return result;
 }
 
-/// ln(m) for m between sqrt(1/2) and sqrt(2), by the series of 2 artanh(s).
+/// ln(m) for m between sqrt(1/2) and sqrt(2), by the series for 2 artanh(s).
 Pair logarithm(double m)
 {
   const Pair s = quotient(Pair{ m - 1.0, 0.0 }, sum(m, 1.0));
@@ -181,7 +181,7 @@ Pair logarithm(double m)
   return product(product(s, series), 2.0);
 }
 
-/// exp(x); 800 is beyond what a double can hold, in both directions.
+/// exp(x), for |x| up to 800: beyond the range of a double in both directions.
 double exponential(Pair x)
 {
   const double steps = std::floor(x.high / NaturalLogOf2.high + 0.5);

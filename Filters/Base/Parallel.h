@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief parallel loops, handed in from outside
+ * @brief the interface to the caller's threads, and parallel loops
  *
- * The core starts no threads. It is given a Parallel, which runs a body once for
- * each worker, and shares work out itself: each worker takes the next chunk until
- * there is none left, so nobody waits while there is work. Which worker gets which
- * chunk is left to chance; nothing in the core may depend on it.
+ * The core starts no threads. The caller supplies a Parallel, which runs a body once
+ * for each worker. The core distributes the work: each worker takes the next chunk
+ * until none is left, so no worker idles while there is work. Which worker gets which
+ * chunk varies from run to run; no result of the core may depend on it.
  */
 #ifndef lambent_Parallel_h
 #define lambent_Parallel_h
@@ -20,25 +20,25 @@
 
 namespace lambent
 {
-/// Runs everything in the calling thread. Override the first two to run on more.
+/// Runs everything in the calling thread. Override workers() and run() to use more threads.
 class Parallel
 {
 public:
   virtual ~Parallel() = default;
-  /// How many workers run() has, at least 1.
+  /// The number of workers of run(), at least 1.
   virtual int workers() const { return 1; }
-  /// Calls body(worker) once for each worker, at the same time or one after the
-  /// other, and returns when all have returned. The body does not throw.
+  /// Calls body(worker) once for each worker, concurrently or in turn, and returns when all
+  /// calls have returned. The body must not throw.
   virtual void run(const std::function<void(int worker)>& body) const { body(0); }
-  /// Called between the parts of long work, by the thread that asked for it, with the
-  /// fraction that is done. It may throw: the work is then given up.
+  /// The thread that started the work calls this between parts, with the fraction done so far.
+  /// It may throw to abort the work.
   virtual void checkpoint(double /*done*/) const {}
 };
 
 /**
- * Calls body(worker, i) once for each i in [begin, end), in any order; a single one in the
- * calling thread, since to wake others takes longer than most bodies. The first exception
- * stops the handing out of work and is thrown to the caller.
+ * Calls body(worker, i) once for each i in [begin, end), in any order. A single item runs in the
+ * calling thread, since waking another takes longer than most bodies. After an exception no
+ * further items are started, and the exception is rethrown to the caller.
  */
 template <typename Body>
 void forEach(const Parallel& parallel, std::size_t begin, std::size_t end, Body&& body)

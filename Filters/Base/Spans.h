@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief arrays that belong to somebody else: tuples, indices, cells
+ * @brief read-only views of the caller's arrays: tuples, indices, cells
  *
- * A span points into memory that the caller keeps alive; nothing is copied and nothing
- * written.
+ * A span points to memory that the caller keeps alive. Nothing is copied or written.
  */
 #ifndef lambent_Spans_h
 #define lambent_Spans_h
@@ -17,7 +16,7 @@
 
 namespace lambent
 {
-/// Three-component tuples of float or double, one after the other.
+/// Contiguous three-component tuples of float or double.
 struct TupleSpan
 {
   const void* data = nullptr;
@@ -26,7 +25,7 @@ struct TupleSpan
 
   explicit operator bool() const { return this->data != nullptr; }
 
-  /// Where tuple i lies.
+  /// The address of tuple i.
   const char* at(std::size_t i) const
   {
     return static_cast<const char*>(this->data) + (this->isDouble ? 24 : 12) * i;
@@ -44,14 +43,14 @@ struct TupleSpan
   }
 };
 
-/// Indices of 32 or 64 bits. A negative one becomes larger than any valid index.
+/// Indices of 32 or 64 bits. A negative index becomes larger than any valid one.
 struct IndexSpan
 {
   const void* data = nullptr;
   bool is64Bit = false;
   std::size_t size = 0;
 
-  /// Where index i lies.
+  /// The address of index i.
   const char* at(std::size_t i) const
   {
     return static_cast<const char*>(this->data) + (this->is64Bit ? 8 : 4) * i;
@@ -69,7 +68,7 @@ struct IndexSpan
 /// Cell k has the points connectivity[offsets[k]] to connectivity[offsets[k + 1] - 1].
 struct CellSpan
 {
-  IndexSpan offsets; ///< one more than there are cells
+  IndexSpan offsets; ///< one more than the number of cells
   IndexSpan connectivity;
 };
 }

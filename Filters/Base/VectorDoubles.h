@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the vectors of doubles that kernels compute with
+ * @brief the vectors of doubles that kernels use
  *
- * Included once for each target, hence the toggled guard.
+ * Each target includes this header once, hence the toggled guard.
  */
 #if defined(lambent_VectorDoubles_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef lambent_VectorDoubles_h
@@ -26,7 +26,7 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Doubles, at most eight of them.
+// At most eight doubles.
 constexpr std::size_t lanesAtMost = 8;
 using D = hn::CappedTag<double, lanesAtMost>;
 using V = hn::Vec<D>;

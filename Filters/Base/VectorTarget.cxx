@@ -22,7 +22,7 @@ std::atomic<bool>& isPlain()
 
 bool choose(const std::string& name)
 {
-  hwy::SetSupportedTargetsForTest(0); // all again
+  hwy::SetSupportedTargetsForTest(0); // enable all again
   isPlain() = name == plain;
   if (isPlain())
   {
@@ -40,7 +40,7 @@ bool choose(const std::string& name)
   return false;
 }
 
-/// Once, before anything else is asked: what the environment wants.
+/// Applies LAMBENT_SIMD, once, before any other use of the targets.
 void readEnvironment()
 {
   static const bool done = []()

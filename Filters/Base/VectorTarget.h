@@ -4,11 +4,11 @@
  * @file
  * @brief which instruction set the kernels use
  *
- * The best one that the processor has, chosen when the first picture is made. The
- * bits of a picture do not depend on it; tests choose others to show that. The
- * environment variable LAMBENT_SIMD names one from outside: "plain" for the code
- * without vectors that defines the picture, or one that vectorTargets() lists, such
- * as "SSE4" or "AVX2". A name that is not known here is ignored.
+ * By default the best one that the processor supports, chosen on first use. The bits of a
+ * picture do not depend on it, and tests select each one to verify that. The environment
+ * variable LAMBENT_SIMD overrides the choice: "plain" selects the scalar code that defines
+ * the picture; any other name in vectorTargets(), such as "SSE4" or "AVX2", selects that
+ * target. Unknown names are ignored.
  */
 #ifndef lambent_VectorTarget_h
 #define lambent_VectorTarget_h
@@ -18,17 +18,17 @@
 
 namespace lambent
 {
-/// "plain", then what kernels are compiled for and this processor has.
+/// "plain", then the targets that the kernels are compiled for and this processor supports.
 std::vector<std::string> vectorTargets();
 
-/// From now on use one of them. False if there is none of that name. Not while
-/// pictures are being made.
+/// Selects a target by name. Returns false, and changes nothing, if the name is unknown. Do not
+/// call this during rendering.
 bool useVectorTarget(const std::string& name);
 
-/// The name of the one in use. Asks the processor, which can take a while.
+/// The name of the target in use. Queries the processor, which can be slow.
 std::string vectorTargetInUse();
 
-/// Whether that is not "plain".
+/// Whether the target in use is not "plain".
 bool areVectorsInUse();
 }
 

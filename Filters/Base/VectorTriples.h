@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief vectors in space, several at a time, for kernels
+ * @brief several 3D vectors at a time, for kernels
  *
- * Included once for each target, hence the toggled guard.
+ * Each target includes this header once, hence the toggled guard.
  */
 #if defined(lambent_VectorTriples_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef lambent_VectorTriples_h
@@ -69,7 +69,7 @@ inline Vector3 cross(const Vector3& a, const Vector3& b)
     difference(a.x, b.y, a.y, b.x) };
 }
 
-/// -v where the mask is set.
+/// -v where the mask is set, otherwise v.
 inline Vector3 negatedWhere(M mask, const Vector3& v)
 {
   return { hn::IfThenElse(mask, hn::Neg(v.x), v.x), hn::IfThenElse(mask, hn::Neg(v.y), v.y),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the sums at a range of points, and the normals that they become
+ * @brief add faces to the sums of a range of points, and convert the sums to normals
  */
 #ifndef lambent_BlockSums_h
 #define lambent_BlockSums_h
@@ -59,7 +59,8 @@ inline void addBlock(const Faces& faces, const Points& points, const Cells& cell
   }
 }
 
-/// The sum at unit length, times sign, as three floats; zeros if it has no direction.
+/// Writes the sum, scaled to unit length times sign, as three floats; zeros if its squared length
+/// is not usable.
 inline void writeNormal(const Vec3& sum, float sign, float* normal)
 {
   const double square = dot(sum, sum);
@@ -67,11 +68,11 @@ inline void writeNormal(const Vec3& sum, float sign, float* normal)
   const Vec3 unit = isUsable ? sum * (1.0 / std::sqrt(square)) : Vec3(0.0);
   for (int i = 0; i < 3; ++i)
   {
-    normal[i] = isUsable ? sign * static_cast<float>(unit[i]) : 0.0f; // never -0 for nothing
+    normal[i] = isUsable ? sign * static_cast<float>(unit[i]) : 0.0f; // no -0 for a missing normal
   }
 }
 
-/// The normals of the points of a range.
+/// Writes the normals of the points of a range.
 inline void writeNormals(const PointSums& sums, float sign, bool useKernels, float* normals)
 {
   std::size_t i = useKernels ? writeNormals(sums.data(), sums.size(), sign, normals) : 0;

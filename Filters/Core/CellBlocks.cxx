@@ -13,8 +13,8 @@ namespace lambent
 {
 namespace
 {
-// Small enough to share out evenly and to name a narrow range of points, large
-// enough that a block costs nothing beside its cells.
+// Small enough to balance the load and to name a narrow range of points, large
+// enough that the cost of a block is negligible beside its cells.
 constexpr std::size_t CellsPerBlock = 512;
 constexpr std::size_t PointsPerChunk = 16384;
 
@@ -51,7 +51,7 @@ CellDefect findDefect(const CellView<Id>& cells, const CellBlock& block, std::si
   return defect;
 }
 
-/// Fills in the block; false if it has a defect.
+/// Fills in the block. Returns false if it has a defect.
 template <typename Id>
 bool summarize(
   const CellView<Id>& cells, std::size_t cornerCount, std::size_t pointCount, CellBlock& block)

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cells in blocks, checked, with the range of the points each block names
+ * @brief check cells, and summarize them in blocks
  *
- * One pass over the cells, in parallel. It finds cells that name points that do
- * not exist, and what lets later passes go through a block fast: whether it has
- * only triangles, and between which points lie all that it names.
+ * One parallel pass over the cells. It finds cells with bad offsets or point ids, and
+ * records what lets later passes process a block fast: whether it has only triangles,
+ * and the range of the point ids that it names.
  */
 #ifndef lambent_CellBlocks_h
 #define lambent_CellBlocks_h
@@ -19,7 +19,7 @@
 
 namespace lambent
 {
-/// Cells begin to end - 1, and the smallest and largest point that they name (0 and
+/// Cells begin to end - 1, with the smallest and largest point id that they name (0 and
 /// -1 if they name none).
 struct CellBlock
 {
@@ -27,15 +27,15 @@ struct CellBlock
   std::int64_t firstPoint = 0, lastPoint = -1;
   bool hasOnlyTriangles = false;
 
-  /// True where the block may name a point in [begin, end).
+  /// Whether the block may name a point in [begin, end).
   bool touches(std::int64_t beginPoint, std::int64_t endPoint) const
   {
     return this->firstPoint < endPoint && this->lastPoint >= beginPoint;
   }
 };
 
-/// A cell that cannot be used: its offsets run backwards or beyond the corners, or
-/// it names a point that does not exist.
+/// An unusable cell: its offsets decrease or exceed the connectivity, or it names a point that
+/// does not exist.
 struct CellDefect
 {
   enum Kind
@@ -53,15 +53,15 @@ struct CellDefect
 
 struct CheckedCells
 {
-  CellDefect defect; ///< the first one
+  CellDefect defect; ///< of the first bad cell
   std::vector<CellBlock> blocks;
 };
 
-/// Checks a list whose points are 0 to pointCount - 1.
+/// Checks cells whose point ids must lie in [0, pointCount).
 CheckedCells checkCells(const CellSpan& cells, std::size_t pointCount, const Parallel& parallel);
 
-/// One entry per cell, not 0 where the cell has a point with a coordinate that is
-/// infinite or not a number; empty if all points are finite.
+/// One entry per cell, nonzero if any coordinate of its points is infinite or NaN. Empty if all
+/// points are finite.
 std::vector<unsigned char> findNonFinite(
   const TupleSpan& points, const CellSpan& cells, const Parallel& parallel);
 }

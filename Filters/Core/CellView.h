@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cells and points with their types known to the compiler
+ * @brief typed views of cells and points
  *
- * CellSpan and TupleSpan say at run time what their numbers are; visit() hands views
- * of the right type to a loop, so that the choice is made once and not for each cell.
+ * CellSpan and TupleSpan know their number types only at run time. visit() calls a loop with
+ * views of the right types, so the choice is made once and not for each cell.
  */
 #ifndef lambent_CellView_h
 #define lambent_CellView_h

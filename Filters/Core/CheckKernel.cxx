@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// This file is compiled once for each instruction set, by including itself.
+// Compiled once for each instruction set: foreach_target.h includes this file again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "CheckKernel.cxx"
 #include <hwy/cache_control.h>
@@ -22,7 +22,7 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Arrays are read but once, faster than the processor asks for what follows.
+// The arrays are read only once, faster than the hardware prefetches.
 constexpr std::size_t ahead = 512;
 
 template <typename Id>
@@ -46,7 +46,7 @@ OffsetKinds classify(const Id* offsets, std::size_t cells)
   for (; i < cells; ++i)
   {
     kinds.areAscending = kinds.areAscending && offsets[i + 1] >= offsets[i];
-    // A difference may be too large, but not where they ascend from 0.
+    // The difference could overflow, but not between ascending offsets from 0 on.
     kinds.areOfTriangles = kinds.areOfTriangles && offsets[i] >= 0 &&
       offsets[i + 1] >= offsets[i] && offsets[i + 1] - offsets[i] == 3;
   }
@@ -87,7 +87,7 @@ bool finite(const Number* values, std::size_t count)
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes)
   {
-    // Zero times an infinity or a NaN is a NaN, which equals nothing.
+    // Zero times an infinity or NaN is NaN, which equals nothing.
     are = hn::And(are, hn::Eq(hn::Mul(zero, hn::LoadU(tag, values + i)), zero));
   }
   return hn::AllTrue(tag, are) &&

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief questions to long lists of numbers, answered several numbers at a time
+ * @brief vectorized checks of long arrays
  *
- * Without vectors these would take a third of the time of the normals of a mesh.
- * There is nothing to round here, so the answers are what they are; the tests ask
- * with all instruction sets.
+ * Without vectors these would take a third of the time of the normals of a mesh. Nothing is
+ * rounded here, so all instruction sets must give the same results; the tests compare them.
  */
 #ifndef lambent_CheckKernel_h
 #define lambent_CheckKernel_h
@@ -22,7 +21,7 @@ struct OffsetKinds
   bool areOfTriangles; ///< each is 3 more than the one before
 };
 
-/// Of offsets[0] to offsets[cells].
+/// Classifies offsets[0] to offsets[cells].
 ///@{
 OffsetKinds classifyOffsets(const std::int32_t* offsets, std::size_t cells);
 OffsetKinds classifyOffsets(const std::int64_t* offsets, std::size_t cells);
@@ -33,13 +32,13 @@ struct IdRange
   std::int64_t first, last;
 };
 
-/// The smallest and the largest of at least one.
+/// The smallest and the largest id; there must be at least one.
 ///@{
 IdRange findRange(const std::int32_t* ids, std::size_t count);
 IdRange findRange(const std::int64_t* ids, std::size_t count);
 ///@}
 
-/// False where one is infinite or not a number.
+/// Whether no value is infinite or NaN.
 ///@{
 bool areFinite(const float* values, std::size_t count);
 bool areFinite(const double* values, std::size_t count);

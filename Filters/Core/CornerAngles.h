@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the angles of corners, from products that are there anyway
+ * @brief the angles at corners, from scalar and vector products
  *
- * The angle between two edges u and v has the tangent |u x v| / (u . v). So an angle
- * is an arctangent: accurate also near 0 and pi, where an arc cosine is not, and
- * without the edges' lengths and their square roots.
+ * The angle between two edges u and v has the tangent |u x v| / (u . v), so it is computed
+ * as an arctangent. This is accurate even near 0 and pi, where an arc cosine is not, and
+ * needs neither the edges' lengths nor their square roots.
  *
  * In a triangle |u x v| is the same at each corner. The smaller u . v, the larger the
- * angle; the two corners with the larger products have at most a right angle, and the
- * third has what they leave of half a turn, at least pi / 3. The two arctangents
- * share one division, of one by the product of the denominators.
+ * angle. The two corners with the larger products have angles of at most pi / 2. The third
+ * angle is pi minus their sum, and at least pi / 3. The two arctangents share one division,
+ * of 1 by the product of their denominators.
  *
- * The arctangent is that of the nearest of 0, pi/4 and pi/2 (by turning x and y back
- * by it before the division) and, of the rest, which is at most pi/8, a polynomial.
+ * For the arctangent, (x, y) is first rotated back by the nearest of 0, pi/4 and pi/2.
+ * A polynomial gives the remaining angle, at most pi/8.
  *
- * Accuracy: 4 ulp for each angle of a triangle given x and y, 2 ulp for a single one.
+ * Accuracy: for exact x and y, 4 ulp for each angle of a triangle, 2 ulp for a single one.
  * The tests compare with 80-bit arithmetic.
  */
 #ifndef lambent_CornerAngles_h
@@ -28,25 +28,25 @@ namespace lambent
 {
 constexpr double piHigh = 3.141592653589793;
 constexpr double piLow = 1.2246467991473532e-16;
-constexpr double tangentOfEighth = 0.41421356237309503; ///< of pi / 8
+constexpr double tangentOfEighth = 0.41421356237309503; ///< tan(pi / 8)
 
 /**
- * (atan(t) - t) / t^3 = P(t^2), for |t| <= tan(pi/8). The polynomial agrees with the
- * function in the 11 Chebyshev nodes of that range of t^2 (solved in 60 digits, then
- * rounded to binary64), which leaves a relative error in atan(t) of 2^-56.9.
+ * The coefficients of P in (atan(t) - t) / t^3 = P(t^2), for |t| <= tan(pi/8). P interpolates
+ * the function at the 11 Chebyshev nodes of that range of t^2 (solved with 60 digits, then
+ * rounded to binary64). The relative error of atan(t) is 2^-56.9.
  */
 constexpr double arcTangentTail[] = { -0.3333333333333333, 0.1999999999999552, -0.14285714284666542,
   0.11111111015256361, -0.09090904578123903, 0.07692183190826087, -0.06664511447381948,
   0.0585814891280221, -0.0508544973794026, 0.03923165829558719, -0.01917688711906226 };
 
-/// The direction (x, y), turned back by `quarters` times pi/4 to within pi/8 of
-/// (1, 0), without regard to its length.
+/// The direction (x, y), rotated back by `quarters` times pi/4 to within pi/8 of (1, 0). Its
+/// length is not preserved.
 struct TurnedBack
 {
   double quarters, y, x;
 };
 
-/// y >= 0; x is at most a little below 0.
+/// Requires y >= 0; x may be slightly negative.
 inline TurnedBack turnBack(double y, double x)
 {
   if (y <= tangentOfEighth * x)
@@ -60,8 +60,8 @@ inline TurnedBack turnBack(double y, double x)
   return { 1.0, y - x, y + x };
 }
 
-/// The angle that was turned back, plus the arctangent of t. The terms are paired
-/// (Estrin's scheme) so that a processor can overlap them.
+/// `quarters` times pi/4, plus the arctangent of t. The terms are paired (Estrin's scheme) so
+/// that a processor can overlap them.
 inline double turnForth(double quarters, double t)
 {
   constexpr const double* c = arcTangentTail;
@@ -75,7 +75,7 @@ inline double turnForth(double quarters, double t)
   return quarters * (0.25 * piHigh) + (rest + quarters * (0.25 * piLow));
 }
 
-/// The angle between 0 and pi of the direction (x, y), y >= 0; as std::atan2().
+/// The angle of the direction (x, y), y >= 0, between 0 and pi, as std::atan2(y, x).
 inline double angleOf(double y, double x)
 {
   if (!(y > 0.0))
@@ -93,9 +93,9 @@ struct TriangleAngles
 };
 
 /**
- * The angles at the corners of a triangle: y is the length of its area vector, not
- * zero, and xa, xb, xc are the scalar products of the two edges at each corner. All
- * are zero where products of these numbers cannot be held.
+ * The angles at the corners of a triangle. y is the length of its area vector and must not be
+ * zero; xa, xb, xc are the scalar products of the two edges at each corner. All three angles
+ * are zero if a product of these numbers overflows.
  */
 inline TriangleAngles anglesOf(double y, double xa, double xb, double xc)
 {

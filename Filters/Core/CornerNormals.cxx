@@ -16,7 +16,7 @@ namespace lambent
 {
 namespace
 {
-/// Makes room for all normals, if there is too little.
+/// Reallocates the normals if there is not room for `count`.
 void grow(CornerNormals& normals, std::size_t room, std::size_t count, const Parallel& parallel)
 {
   if (count <= room)
@@ -31,8 +31,8 @@ void grow(CornerNormals& normals, std::size_t room, std::size_t count, const Par
   normals.normals = std::move(all);
 }
 
-/// Gives up at the first checkpoint at which there are too many normals. The points without
-/// further ones may be more than `most`: they need no numbers.
+/// Throws at the first checkpoint at which there are too many normals. If no corner needs a
+/// further normal, there may be more points than `most`, since no numbers are needed.
 class LimitedWork : public Share
 {
 public:
@@ -89,7 +89,7 @@ CornerNormals computeCornerNormals(
   const double largestAngle = std::min(featureAngle + featureAngleMargin, 180.0);
   CornerNormals result;
   result.count = faces.points.size;
-  // Most meshes need few further normals. Memory that is not touched costs nothing.
+  // Most meshes need few further normals. Untouched memory costs nothing.
   const std::size_t room = result.count + result.count / 8;
   result.normals.reset(new float[3 * room]);
   const PointRanges ranges(faces.blocks, faces.points.size, parallel.workers());

@@ -5,7 +5,7 @@
  * @brief the normals of the corners at a range of points
  *
  * The passes of CornerNormals.h: sums and normals of the points, creases, the corners at
- * creased points, and what becomes of them (CreasedPoint.h).
+ * creased points, and the normals of these corners (CreasedPoint.h).
  */
 #ifndef lambent_CornerRange_h
 #define lambent_CornerRange_h
@@ -22,26 +22,27 @@
 
 namespace lambent
 {
-/// Below the cosine of half of 180 degrees, zero, sums could be mere rounding.
+/// cos(angle / 2), but at least 2^-20. With a cosine of zero, at 180 degrees, a point's normal
+/// could be mere rounding error although no face is steep.
 inline double cosineOfHalf(double angle)
 {
   return std::max(cosDegrees(0.5 * angle), 1.0 / (1 << 20));
 }
 
-/// What a range of points needs beyond a normal for each of them.
+/// The normals that a range of points needs beyond one per point.
 struct FurtherNormals
 {
   struct Use
   {
-    std::int64_t place;  ///< of the connectivity
-    std::int32_t number; ///< of the normal, counted from the range's first
+    std::int64_t place;  ///< in the connectivity
+    std::int32_t number; ///< of the normal, counted from the first in this range
   };
 
   std::vector<float> normals;
   std::vector<Use> uses;
 };
 
-/// All that is done for a range of points: a task of RangeWalks.
+/// Computes the corner normals of a range of points: a task for RangeWalks.
 template <typename Points, typename Cells>
 class CornerRange
 {
@@ -112,19 +113,19 @@ public:
 private:
   enum Pass
   {
-    Sum,     ///< what the faces add at each point
-    Write,   ///< the normals of the points
-    Mark,    ///< the creased points
-    Number,  ///< those
-    Collect, ///< the corners at them
-    Sort,    ///< those by their points
-    Solve,   ///< the normals at creased points
-    Keep,    ///< what the points have now
+    Sum,     ///< add up the contributions of the faces at each point
+    Write,   ///< write the points' normals
+    Mark,    ///< mark the creased points
+    Number,  ///< number them
+    Collect, ///< collect the corners at them
+    Sort,    ///< sort these corners by point
+    Solve,   ///< compute the normals at creased points
+    Keep,    ///< copy the final point normals to the output
     PassCount
   };
   static constexpr std::size_t pointsPerStep = 256;
 
-  /// A corner at the creased point of that number.
+  /// A corner, and the number of its creased point.
   struct FoundCorner
   {
     std::int32_t creased;
@@ -183,7 +184,7 @@ private:
 
   std::size_t numberCreased()
   {
-    this->Range.marks.back() = 0; // from now on a point that is creased lies in the range
+    this->Range.marks.back() = 0; // from here on only points in the range are marked
     this->NumberOf.resize(this->Range.size());
     for (std::size_t place = 0; place < this->Range.size(); ++place)
     {
@@ -221,7 +222,7 @@ private:
     }
   }
 
-  /// Whether a point, if it is in the range, is creased.
+  /// Nonzero if the point is in the range and creased.
   template <typename Id>
   unsigned char mark(Id point) const
   {
@@ -250,7 +251,7 @@ private:
     }
   }
 
-  /// False if the face has no area.
+  /// Adds the face to FacesWithArea. Returns false if it has no area or is skipped.
   bool takeFace(std::size_t face)
   {
     constexpr std::size_t manyCorners = 16;
@@ -270,7 +271,7 @@ private:
     return true;
   }
 
-  /// By counting, so that the corners of a point keep their order.
+  /// A counting sort, so that the corners of a point keep their order.
   std::size_t sortCorners()
   {
     this->First.assign(this->Creased.size() + 1, 0);
@@ -287,7 +288,7 @@ private:
     {
       this->Corners[this->First[found.creased]++] = found.corner;
     }
-    // Each has been moved to the begin of the next.
+    // Each entry has advanced to the beginning of the next.
     std::copy_backward(this->First.begin(), this->First.end() - 1, this->First.end());
     this->First.front() = 0;
     return this->Found.size();
@@ -311,7 +312,7 @@ private:
       }
     }
     this->ResultCount += (this->Result->normals.size() - before) / 3;
-    return 4 * (this->First[end] - this->First[begin]); // each takes as long as some faces
+    return 4 * (this->First[end] - this->First[begin]); // each takes as long as several faces
   }
 
   /// The first normal becomes that of the point.
@@ -355,10 +356,10 @@ private:
   Creases Range;
   FurtherNormals* Result = nullptr;
   std::vector<std::int64_t> Creased;
-  std::vector<std::int32_t> NumberOf; ///< of the range's points that are creased
+  std::vector<std::int32_t> NumberOf; ///< for each point of the range that is creased
   std::vector<FoundCorner> Found;
   std::vector<FaceWithArea> FacesWithArea;
-  std::vector<std::size_t> First; ///< corner of each creased point
+  std::vector<std::size_t> First; ///< the first corner of each creased point
   std::vector<Corner> Corners;
   CreasedPoint<Points, Cells> Solver;
   std::vector<std::int32_t> NumberOfKey;

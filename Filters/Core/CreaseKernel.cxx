@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// This file is compiled once for each instruction set, by including itself.
+// Compiled once for each instruction set: foreach_target.h includes this file again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "CreaseKernel.cxx"
 #include <hwy/cache_control.h>
@@ -22,14 +22,14 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Triangles on their way from memory to the marks, in passes as in NormalKernel.cxx: corners,
-/// their normals and their places among the marks.
+/// A buffer of triangles between the passes (see NormalKernel.cxx): their corners, the normals
+/// there, and the indices of the marks.
 template <typename Coordinate>
 struct Batch
 {
   static constexpr std::size_t capacity = 32;
 
-  /// Of each corner of each triangle x, y, z and nothing.
+  /// x, y, z and padding for each corner of each triangle.
   alignas(64) Coordinate points[3][4 * capacity];
   alignas(64) float normals[3][4 * capacity];
   std::size_t places[3][capacity];
@@ -45,7 +45,7 @@ struct Batch
   }
 };
 
-/// Where the corners of triangles lie in memory.
+/// Reads the corners of triangles from memory.
 template <typename Coordinate, typename Id>
 class Source
 {
@@ -59,7 +59,7 @@ public:
   {
   }
 
-  /// Adds a triangle, unless all of its corners lie outside of the range of points.
+  /// Adds a triangle, unless all of its corners lie outside the range of points.
   void add(std::size_t triangle, Batch<Coordinate>& batch) const
   {
     const std::size_t k = batch.count;
@@ -138,7 +138,7 @@ void mark(const Coordinate* points, const Id* corners, std::size_t count, Crease
 {
   constexpr std::size_t ahead = 12;
   const Source<Coordinate, Id> source(points, corners, creases);
-  Batch<Coordinate> batch{}; // what is left over of a vector is looked at, but never marked
+  Batch<Coordinate> batch{}; // unused lanes are computed, but never marked
   for (std::size_t k = 0; k < count; ++k)
   {
     source.prefetch(std::min(k + ahead, count - 1));

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the normals of the corners at one point whose faces do not all go together
+ * @brief the corner normals at one creased point
  *
- * Steps 2 to 4 of CornerNormals.h. One object does one point after the other and keeps its
+ * Steps 2 to 4 of CornerNormals.h. An object processes one point after another and reuses its
  * memory.
  */
 #ifndef lambent_CreasedPoint_h
@@ -29,14 +29,14 @@ struct FaceWithArea
 {
   std::int64_t face;
   Vec3 area;    ///< areaVector()
-  bool isLarge; ///< it has many corners, more than 3 but for points named several times in a row
+  bool isLarge; ///< it has many corners, and more than 3 without consecutive repeats
 };
 
-/// Where a face names a point.
+/// One occurrence of a point in a face.
 struct Corner
 {
   std::int64_t place; ///< in the connectivity
-  std::int64_t face;  ///< its number among the faces with an area
+  std::int64_t face;  ///< the face's index in the array of faces with an area
 };
 
 template <typename Points, typename Cells>
@@ -53,8 +53,9 @@ public:
   }
 
   /**
-   * The corners at a point, of faces that have an area, in ascending order, and the sum of
-   * what these faces add. False if that sum makes the normal of all corners.
+   * Computes the normals of the corners at a point. `corners` lists those of faces with an area
+   * in ascending order; `allSum` is the sum of these faces' contributions. Returns false if it
+   * gives the normal of all corners.
    */
   template <typename Id>
   bool solve(
@@ -75,7 +76,7 @@ public:
     return true;
   }
 
-  /// The normal at a corner of the last point, not yet of unit length.
+  /// The normal at a corner of the last point, not normalized.
   const Vec3& normal(int corner) const
   {
     const Sum& sum = this->Sums[this->Groups.set(corner)];
@@ -92,8 +93,8 @@ public:
 private:
   static constexpr std::ptrdiff_t mostSidesAtEdge = 64;
 
-  /// An edge from the point to another one, as a side of a face that runs from the point to
-  /// the other one or comes from there.
+  /// An edge between the point and another one, as a side of a face. The face runs from the
+  /// point to the other one (`leaves`), or from there to the point.
   struct Side
   {
     std::int64_t other;
@@ -109,7 +110,7 @@ private:
   struct Sum
   {
     Vec3 vector{ 0.0 };
-    double length = 0.0; ///< of all terms together
+    double length = 0.0; ///< the sum of the terms' lengths
     int firstCorner = -1;
     bool isDirection = false;
   };
@@ -138,7 +139,7 @@ private:
     {
       if (this->FirstOfFace[i] != i)
       {
-        this->Groups.join(i, i - 1); // a face that comes by twice is one face
+        this->Groups.join(i, i - 1); // a face that names the point twice is still one face
       }
       const auto begin = this->AllCells.offsets[this->face(i)];
       const auto end = this->AllCells.offsets[this->face(i) + 1];
@@ -186,7 +187,8 @@ private:
 
   static constexpr double leastPart = 1.0 / (1 << 20);
 
-  /// Whether a sum is a direction however long its terms are: they are angles.
+  /// Whether a sum of `count` terms has a direction, whatever their lengths. These are angles, less
+  /// than mostOfTerm.
   static bool isLong(const Vec3& sum, int count)
   {
     constexpr double mostOfTerm = 7.0; // more than a full turn
@@ -195,7 +197,8 @@ private:
     return isUsableSquare(square) && square >= least * least;
   }
 
-  /// Calls add(term) for what a face adds at the point, whose first corner in it that is.
+  /// Calls add(term) for the contributions of a face at the point. `corner` is the face's first
+  /// corner there.
   template <typename Id, typename Add>
   void contribute(Id point, int corner, int count, Add&& add)
   {
@@ -224,8 +227,8 @@ private:
     }
   }
 
-  /// contributePolygon() at one point: a polygon of n corners is creased at up to n points, and
-  /// must not be gone through for each of them.
+  /// contributePolygon() at one point only. A polygon of n corners can be creased at n points;
+  /// traversing it for each of them would take quadratic time.
   template <typename Id, typename Add>
   void contributeLargePolygon(Id point, int corner, int count, Add&& add)
   {
@@ -238,14 +241,14 @@ private:
       const std::int64_t place = this->Corners[i].place - this->AllCells.offsets[face];
       if (place > 0 && ids[place - 1] == point)
       {
-        continue; // a point that is named several times in a row counts once
+        continue; // consecutive repeats count once
       }
       std::int64_t next = place, previous = place;
       while (next < size && ids[next] == point)
       {
         ++next;
       }
-      next = next == size ? 0 : next; // the point itself, if it counts there: no length, no term
+      next = next == size ? 0 : next; // may be the point itself: zero length adds nothing
       do
       {
         previous = previous == 0 ? size - 1 : previous - 1;

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which points of a range are creased: those with a face too steep for one normal
+ * @brief find the creased points of a range: those with a face too steep for a single normal
  *
  * A face is steep at a point if the angle between the face's normal and the point's is
- * larger than half the feature angle. With A the face's area vector (Newell's), N the
- * point's normal and c the cosine of half the feature angle, that is
+ * larger than half the feature angle. With the face's area vector A (Newell's), the point's
+ * normal N, and the cosine c of half the feature angle, that is
  *
  *     not (A.N > 0 and (A.N)^2 >= c^2 (A.A))
  *
- * in binary64. Faces whose A.A is not usable (isUsableSquare()) are never steep. Where no
- * face is steep, no two of them are further apart than the feature angle.
+ * in binary64. Faces whose A.A is not usable (isUsableSquare()) are never steep. If no face
+ * at a point is steep, no two of their normals differ by more than the feature angle.
  *
- * markCreases() does the same for several triangles at a time and gives the same answers.
+ * markCreases() tests several triangles at a time, with the same results.
  */
 #ifndef lambent_Creases_h
 #define lambent_Creases_h
@@ -35,8 +35,8 @@ inline bool isSteep(const Vec3& area, const Vec3& normal, double squaredCosine)
   return isUsableSquare(square) && !(along > 0.0 && along * along >= squaredCosine * square);
 }
 
-/// A range of points: their normals, and which are creased. Both have one more entry, which
-/// stands for all points outside of the range: to mark it is cheaper than to ask each time.
+/// The normals of a range of points, and which of them are creased. Both arrays have one more
+/// entry, for all points outside the range: marking it is cheaper than branching each time.
 class Creases
 {
 public:
@@ -56,7 +56,7 @@ public:
   std::int64_t begin() const { return this->Begin; }
   std::size_t size() const { return this->Size; }
 
-  /// Where a point's entries are; size() for a point outside of the range.
+  /// The index of a point's entries; size() for a point outside the range.
   template <typename Id>
   std::size_t place(Id point) const
   {
@@ -70,15 +70,15 @@ public:
   }
 
   const double squaredCosine;
-  std::vector<float> normals;       ///< three a point
-  std::vector<unsigned char> marks; ///< not 0 for a creased point
+  std::vector<float> normals;       ///< three per point
+  std::vector<unsigned char> marks; ///< nonzero for a creased point
 
 private:
   std::int64_t Begin = 0;
   std::size_t Size = 0;
 };
 
-/// Marks the points at which one of the triangles is steep; triangle i names the points
+/// Marks the points at which one of the triangles is steep. Triangle i has the points
 /// corners[3 i] to corners[3 i + 2].
 ///@{
 void markCreases(

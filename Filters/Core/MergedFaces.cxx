@@ -74,7 +74,7 @@ MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips, const P
       for (std::size_t i = 0; i < cellCount(strips); ++i)
       {
         appendStrip(result, cells.cell(i), cells.cellSize(i), polygonCount + i);
-        if (result.cells.size() - facesAtCheckpoint > itemsPerPart) // strips may be long
+        if (result.cells.size() - facesAtCheckpoint > itemsPerPart) // strips can be long
         {
           share.checkpoint(static_cast<double>(i + 1) / static_cast<double>(cellCount(strips)));
           facesAtCheckpoint = result.cells.size();

@@ -4,9 +4,8 @@
  * @file
  * @brief polygons and the triangles of strips, in one list
  *
- * First the polygons as they are, then the triangles of each strip. Every second
- * triangle of a strip names its first two points the other way round, so that all
- * face the way of the first.
+ * The unchanged polygons come first, then the triangles of each strip. Every second triangle
+ * of a strip swaps its first two points, so that all are oriented like the first.
  */
 #ifndef lambent_MergedFaces_h
 #define lambent_MergedFaces_h
@@ -23,7 +22,7 @@ struct MergedFaces
 {
   std::vector<std::int64_t> offsets;
   std::vector<std::int64_t> connectivity;
-  /// The cell of each face: polygons count from 0, strips on from the last polygon.
+  /// The cell id of each face: polygons count from 0, strips follow the last polygon.
   std::vector<std::int64_t> cells;
 
   CellSpan span() const

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what one face adds to the normals at its corners
+ * @brief the contribution of one face to the normals at its corners
  *
- * The definition of the four weightings, once, for every loop that sums them up.
- * With N the area vector of the face (normal to it, twice its area long), p a
- * corner, u and v the edges from p to the next and to the previous corner:
+ * This header defines the four weightings for every loop that uses them. Let N be the
+ * area vector of the face (perpendicular to it, with twice its area as length), p a corner,
+ * and u and v the edges from p to the next and to the previous corner:
  *
  *     Uniform   N / |N|
  *     Area      N
@@ -21,17 +21,17 @@
  *
  * N is Newell's vector (I. E. Sutherland, R. F. Sproull, R. A. Schumacker, "A
  * Characterization of Ten Hidden-Surface Algorithms", ACM Computing Surveys 6(1),
- * 1974), summed relative to the first corner, so that nothing is lost far from the
+ * 1974), summed relative to the first corner, so that no precision is lost far from the
  * origin. In a triangle u x v is N at each corner.
  *
- * At a corner of more than 180 degrees the angle is what the two edges leave of a
- * full turn, and Max's vector is turned to the side of N; so the sum does not
- * depend on how a plane region is cut into polygons.
+ * At a reflex corner the angle is 360 degrees minus that between the edges, and Max's vector
+ * is negated, so that it lies on the side of N. So the sum does not depend on how a plane
+ * region is divided into polygons.
  *
- * A face whose |N|^2 is zero (or so small that binary64 cannot hold its digits) or
- * not finite adds nothing. So do, with Angle and Max, corners at edges of no length.
+ * A face contributes nothing if |N|^2 is zero, subnormal (less than full precision) or
+ * not finite. With Angle and Max, corners at edges of zero length contribute nothing either.
  *
- * Lengths are divided by as a product with 1 / length: one division, not three.
+ * To divide by a length, multiply by 1 / length: one division instead of three.
  * Angles are arctangents; see CornerAngles.h.
  */
 #ifndef lambent_NormalContribution_h
@@ -55,7 +55,7 @@ enum class Weighting
   Max
 };
 
-/// False for zero, subnormal numbers, infinity, and what is not a number.
+/// False for zero, subnormal numbers, infinity and NaN.
 inline bool isUsableSquare(double squaredLength)
 {
   return squaredLength >= std::numeric_limits<double>::min() &&
@@ -108,8 +108,8 @@ inline void contributeTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Add&
   }
 }
 
-/// Newell's vector of a face of any number of corners: normal to it, and twice its
-/// area long. Zero if there are fewer than three.
+/// Newell's vector of a face with any number of corners: perpendicular to it, with twice its area
+/// as length. Zero if there are fewer than three corners.
 template <typename Points, typename Id>
 inline Vec3 areaVector(const Points& points, const Id* corners, std::size_t size)
 {
@@ -137,8 +137,8 @@ inline Vec3 faceNormal(const Points& points, const Id* corners, std::size_t size
   return isUsableSquare(square) ? area * (1.0 / std::sqrt(square)) : Vec3(0.0);
 }
 
-/// What a polygon of area vector `area` adds at the corner p between the edges u
-/// (to the next corner) and v (to the previous one).
+/// The contribution of a polygon with area vector `area` at the corner between the edges u (to the
+/// next corner) and v (to the previous one).
 template <Weighting weighting>
 inline Vec3 cornerContribution(const Vec3& area, const Vec3& u, const Vec3& v)
 {
@@ -168,9 +168,8 @@ inline Vec3 cornerContribution(const Vec3& area, const Vec3& u, const Vec3& v)
 }
 
 /**
- * Calls add(point id, term) for the corners of a face, in their order. A point
- * that is named twice in a row counts once. `scratch` keeps its memory from
- * one call to the next.
+ * Calls add(point id, term) for the corners of a face, in order. Consecutive repeats of a point
+ * count once. `scratch` keeps its memory between calls.
  */
 template <Weighting weighting, typename Points, typename Id, typename Add>
 inline void contributePolygon(

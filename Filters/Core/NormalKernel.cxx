@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// This file is compiled once for each instruction set, by including itself.
+// Compiled once for each instruction set: foreach_target.h includes this file again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "NormalKernel.cxx"
 #include <hwy/cache_control.h>
@@ -25,10 +25,10 @@ constexpr bool hasWeights(Weighting weighting)
 }
 
 /**
- * Triangles on their way through the passes of add(). In one pass alone the long way
- * from the points to the sums (square root, division, polynomial) would leave the
- * processor waiting: it does not look far enough ahead to start with the triangles
- * behind. In the short loops of a pass it does.
+ * A buffer of triangles between the passes of add(). In a single pass, the long dependency
+ * chain from the points to the sums (square root, division, polynomial) would stall the
+ * processor: it cannot look far enough ahead to start on the next triangles. In the short
+ * loop of each pass it can.
  */
 template <typename Coordinate>
 struct alignas(64) Batch
@@ -36,11 +36,11 @@ struct alignas(64) Batch
   static constexpr std::size_t capacity = 64;
 
   std::size_t count = 0;
-  /// Where the corners' sums are.
+  /// The indices of the corners' sums.
   alignas(64) std::int64_t places[3][capacity];
   /// The coordinates of the corners.
   alignas(64) Coordinate points[9][capacity];
-  /// A corner gets the direction times its weight, or as it is where there are none.
+  /// A corner's term is the direction, times its weight if the weighting has one.
   alignas(64) PointSum directions[capacity];
   alignas(64) double weights[3][capacity];
 
@@ -52,7 +52,7 @@ struct alignas(64) Batch
     return { load(0), load(1), load(2) };
   }
 
-  /// A triangle without area gets zeros.
+  /// Stores zeros for triangles without area.
   void storeDirection(std::size_t k, const Vector3& v, M isUsed)
   {
     hn::StoreInterleaved4(hn::IfThenElseZero(isUsed, v.x), hn::IfThenElseZero(isUsed, v.y),
@@ -136,7 +136,7 @@ void finish(Batch<Coordinate>& batch, PointSum* sums)
   batch.count = 0;
 }
 
-/// The points that the corners of some triangles name.
+/// The point ids of the corners of several triangles.
 struct Corners
 {
   I a, b, c;
@@ -200,7 +200,7 @@ std::size_t add(const Coordinate* points, const Id* corners, std::size_t count, 
     hn::Store(a, di, batch.places[0] + batch.count);
     hn::Store(b, di, batch.places[1] + batch.count);
     hn::Store(c, di, batch.places[2] + batch.count);
-    // Not by gathering, which is slower.
+    // Gather instructions are slower.
     for (std::size_t lane = 0; lane < lanes; ++lane)
     {
       for (int corner = 0; corner < 3; ++corner)

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the two loops of point normals, for several triangles and points at a time
+ * @brief the two loops of point normals, vectorized
  *
- * Lane by lane the arithmetic is that of contributeTriangle() and writeNormal(), in
- * the same order, and so are the bits. What a batch of triangles contributes is
- * computed at once, then added one corner after the other, in the order of the
- * corners: a triangle without area adds zero here and nothing there, which is the
- * same, since a sum is never -0.
+ * Each lane does the arithmetic of contributeTriangle() and writeNormal() in the same
+ * order, so the bits are the same. The contributions of a batch of triangles are computed
+ * together, then added corner by corner in order. A triangle without area adds zero here,
+ * and nothing in the scalar code; the result is the same, since a sum is never -0.
  *
- * Of the time for a large mesh a third goes into the contributions and as much into
- * fetching the points and adding up; the rest into checks, clearing and writing.
+ * For a large mesh, a third of the time goes into the contributions, another third into
+ * fetching points and adding, and the rest into checks, clearing and writing.
  *
- * Both return how many they have done, the first ones; the caller does the others.
+ * Both functions return how many triangles or sums they have processed, from the first
+ * on. The caller processes the rest.
  */
 #ifndef lambent_NormalKernel_h
 #define lambent_NormalKernel_h
@@ -27,7 +27,7 @@
 
 namespace lambent
 {
-/// Adds what the triangles contribute; triangle i names the points corners[3 i] to
+/// Adds the contributions of triangles. Triangle i has the points corners[3 i] to
 /// corners[3 i + 2].
 ///@{
 std::size_t addTriangles(Weighting weighting, const TupleSpan& points, const std::int32_t* corners,

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether two faces name the same points, the other way round
+ * @brief whether two faces have the same points in reverse order
  *
- * Faces of few corners are compared at each rotation. Those of many could be periodic, so that
- * most rotations agree for long: they are compared at their least rotations, in a time that is
- * linear in the corners. Two such faces meet at each of their corners, so what was found of them
- * is remembered.
+ * Faces with few corners are compared at each rotation. In faces with many corners, ids could be
+ * periodic, and most rotations would match for a long stretch. These faces are therefore compared
+ * at their least rotations, in linear time. Two such faces meet at each of their corners, so the
+ * results are cached.
  *
  * Y. Shiloach, "Fast canonization of circular strings", Journal of Algorithms 2(2), 1981.
  */
@@ -22,11 +22,11 @@
 
 namespace lambent
 {
-/// Where the rotation of a ring of ids starts that comes first in the order of words.
+/// The start of the lexicographically least rotation of a ring of ids.
 template <typename Iterator>
 std::ptrdiff_t leastRotation(Iterator ring, std::ptrdiff_t size)
 {
-  std::ptrdiff_t first = 0, second = 1, same = 0; // two starts, and how long they agree
+  std::ptrdiff_t first = 0, second = 1, same = 0; // two starts, and how far they match
   const auto at = [&](std::ptrdiff_t i) { return ring[i < size ? i : i - size]; };
   while (first < size && second < size && same < size)
   {
@@ -36,7 +36,7 @@ std::ptrdiff_t leastRotation(Iterator ring, std::ptrdiff_t size)
       ++same;
       continue;
     }
-    // No start within what agreed is less than the other one's.
+    // No start within the matched part of the greater rotation can be the least.
     (b < a ? first : second) += same + 1;
     second += first == second;
     same = 0;
@@ -114,7 +114,7 @@ private:
     return true;
   }
 
-  /// The place of a pair; another one may be there.
+  /// The cache entry for a pair; it may hold another pair.
   Pair& recall(std::int64_t faceA, std::int64_t faceB)
   {
     this->Pairs.resize(pairCount);
@@ -123,7 +123,7 @@ private:
   }
 
   const Cells& AllCells;
-  std::vector<Pair> Pairs; ///< of faces of many corners that were compared
+  std::vector<Pair> Pairs; ///< a cache of compared faces with many corners
 };
 }
 

@@ -2,27 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the normal of each point: what its faces add, in the order of the faces
+ * @brief the normal of each point: the sum of its faces' contributions, in the order of the faces
  *
- * The definition is a plain serial loop: the sum of a point starts at zero, and
- * the contributions (NormalContribution.h) are added in binary64 in ascending order
- * of face and of corner within the face; the sum over its length is rounded to
- * float. A sum whose squared length is zero or not finite gives (0, 0, 0).
+ * The definition is a plain serial loop. The sum of a point starts at zero. The
+ * contributions (NormalContribution.h) are added in binary64, in ascending order of face
+ * and of corner within the face. The sum, divided by its length, is rounded to float. A sum
+ * whose squared length is zero, subnormal or not finite gives (0, 0, 0).
  *
- * How it runs on any number of workers and gives those bits:
+ * The parallel algorithm gives the same bits with any number of workers:
  *
- * 1. The points are divided into ranges of consecutive ids, each the business of
- *    one worker, which has sums for these points only.
- * 2. For its range a worker walks all blocks of faces in ascending order, skips
- *    those that name none of its points, and adds what falls into the range.
- * 3. It scales the sums of its range to length one.
+ * 1. Divide the points into ranges of consecutive ids. Each range belongs to one worker,
+ *    which keeps sums for these points only.
+ * 2. For its range, a worker walks all blocks of faces in ascending order, skips those
+ *    without points in the range, and adds the contributions to points in the range.
+ * 3. It normalizes the sums of its range.
  *
- * Blocks of nothing but triangles go through NormalKernel.h, several triangles at a
- * time; all else, and everything where no vectors are wanted, one face at a time.
+ * Blocks that contain only triangles use NormalKernel.h, several triangles at a time. All
+ * other blocks go one face at a time, and so do all blocks if a face is skipped or the vector
+ * target is "plain".
  *
- * No sum is shared, so nothing is locked, and each sum sees its terms in the order
- * of the serial loop. The price is that a face that has corners in two ranges is
- * computed twice; meshes name neighbouring points in neighbouring faces, so few are.
+ * No sum is shared, so nothing is locked, and each sum receives its terms in the order of
+ * the serial loop. The price is that a face with corners in two ranges is computed twice.
+ * Neighbouring faces usually have neighbouring point ids, so there are few such faces.
  */
 #ifndef lambent_PointNormals_h
 #define lambent_PointNormals_h
@@ -42,9 +43,9 @@ struct Faces
 {
   TupleSpan points;
   CellSpan cells;
-  /// Of these cells, as checkCells() gives them.
+  /// The blocks of these cells, from checkCells().
   std::vector<CellBlock> blocks;
-  /// Not 0 for a face that counts for nothing; empty: all count.
+  /// Nonzero for a face to ignore. Empty: ignore none.
   std::vector<unsigned char> skip;
 
   bool isSkipped(std::size_t face) const { return !this->skip.empty() && this->skip[face] != 0; }
@@ -71,7 +72,7 @@ void visitFaceNormals(const Faces& faces, const Parallel& parallel, Body&& body)
     });
 }
 
-/// Writes three floats for each point, multiplied with sign, 1 or -1.
+/// Writes three floats for each point: its normal times sign (1 or -1), or (0, 0, 0).
 void computePointNormals(
   const Faces& faces, Weighting weighting, float sign, const Parallel& parallel, float* normals);
 

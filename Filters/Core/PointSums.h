@@ -15,14 +15,14 @@
 
 namespace lambent
 {
-/// A vector and what makes it as long as a register.
+/// A vector, padded to the size of a register.
 struct alignas(32) PointSum
 {
   double x, y, z, unused;
 };
 
-/// Sums for the points begin to end - 1, and one that takes what all others would
-/// get: adding to it is cheaper than asking for each corner. Keeps its memory.
+/// Sums for the points begin to end - 1, and one more that receives the terms of all other points:
+/// adding to it is cheaper than branching at each corner. Reuses its memory.
 class PointSums
 {
 public:
@@ -34,12 +34,12 @@ public:
 
   std::int64_t begin() const { return this->Begin; }
   std::int64_t end() const { return this->Begin + static_cast<std::int64_t>(this->size()); }
-  /// How many points.
+  /// The number of points.
   std::size_t size() const { return this->Sums.size() - 1; }
   PointSum* data() { return this->Sums.data(); }
   const PointSum* data() const { return this->Sums.data(); }
 
-  /// Where the sum of a point is; size() for a point outside the range.
+  /// The index of a point's sum; size() for a point outside the range.
   template <typename Id>
   std::size_t place(Id point) const
   {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief work on ranges of points, each in passes through the faces that touch it
+ * @brief process ranges of points, each in passes over the faces that touch it
  *
  * The points are divided into ranges of consecutive ids. A worker takes one range after
- * the other and walks the blocks of faces in ascending order, as often as its task needs,
- * so that whatever is summed up for a point sees the faces in the order of a serial loop.
- * Nothing is shared between ranges, so nothing is locked.
+ * another and walks the blocks of faces in ascending order, once for each pass of its task.
+ * So a sum over the faces of a point adds them in the order of a serial loop. Nothing is shared
+ * between ranges, so nothing is locked.
  *
- * The price is that a face with corners in two ranges is visited for both; meshes name
- * neighbouring points in neighbouring faces, so few are.
+ * The price is that a face with corners in two ranges is visited for both. Neighbouring faces
+ * usually have neighbouring point ids, so there are few such faces.
  */
 #ifndef lambent_RangeWalks_h
 #define lambent_RangeWalks_h
@@ -27,21 +27,21 @@
 
 namespace lambent
 {
-/// The points begin to end - 1, and which of the ranges they are.
+/// The points begin to end - 1, and the index of this range.
 struct PointRange
 {
   std::size_t index = 0;
   std::int64_t begin = 0, end = 0;
 };
 
-/// A mesh's points in `ranges` ranges of about the same size.
+/// Divides a mesh's points into ranges of about the same size.
 class PointRanges
 {
 public:
   /**
-   * Several ranges for each worker even out the work and keep its memory in the cache, but
-   * a block is walked once for each range that it touches: where blocks name points from
-   * everywhere, one range for each worker is least.
+   * Several ranges per worker balance the load and keep its memory in the cache. But each
+   * block is walked once for each range that it touches. If blocks have points from all over the
+   * mesh, a single range per worker is best.
    */
   PointRanges(const std::vector<CellBlock>& blocks, std::size_t pointCount, int workers)
     : Points(pointCount)
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /// How often a block is walked on average.
+  /// How many times a block is walked, on average.
   double visitsPerBlock(const std::vector<CellBlock>& blocks) const
   {
     std::ptrdiff_t visits = 0;
@@ -86,11 +86,10 @@ private:
  *
  *     void reset(const PointRange&)                      before the first pass
  *     int passCount() const
- *     std::size_t stepCount(int pass) const              asked when the pass begins
- *     std::size_t step(int pass, std::size_t i)          how many faces or points it took
+ *     std::size_t stepCount(int pass) const              called when the pass begins
+ *     std::size_t step(int pass, std::size_t i)          returns the faces or points processed
  *
- * Each worker stops now and then, wherever it is on its way, so that there can be a
- * checkpoint.
+ * From time to time all workers pause, in the middle of their walks, for a checkpoint.
  */
 template <typename Task>
 class RangeWalks
@@ -114,7 +113,7 @@ public:
   }
 
 private:
-  /// In a cache line of its own, since it is written to all the time.
+  /// Has its own cache line, since it is written constantly.
   struct alignas(64) Walk
   {
     Task task;
@@ -183,7 +182,7 @@ private:
 
   const PointRanges& Ranges;
   const Parallel& Workers;
-  std::vector<Walk> Walks; ///< one a worker
+  std::vector<Walk> Walks; ///< one per worker
   std::atomic<std::size_t> NextRange{ 0 };
   std::atomic<std::size_t> FinishedRanges{ 0 };
 };

@@ -14,9 +14,10 @@ namespace lambent
 namespace
 {
 constexpr std::size_t PointsPerChunk = 2048;
-constexpr std::size_t PartSize = itemsPerPart / 4; // much is done for each point
+constexpr std::size_t PartSize = itemsPerPart / 4; // each point takes longer than usual
 
-/// Large arrays are not vectors: those would write all of it twice, the first time in one go.
+/// Allocates a large array without initializing it. A vector would write it all twice, the first
+/// time without checkpoints.
 template <typename Item>
 std::unique_ptr<Item[]> makeUnwritten(std::size_t count)
 {
@@ -71,11 +72,11 @@ CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
   return result;
 }
 
-/// An edge from the point in question to another one, as a side of a face.
+/// An edge from the current point to another one, as a side of a face.
 struct Side
 {
   std::int64_t otherPoint;
-  int corner; ///< among those of the point
+  int corner; ///< the index among the point's corners
 
   bool operator<(const Side& other) const
   {
@@ -84,7 +85,7 @@ struct Side
   }
 };
 
-/// The groups of the faces round one point after the other; keeps its memory.
+/// Groups the faces around a point. Reuses its memory from point to point.
 class Grouping
 {
 public:
@@ -95,7 +96,7 @@ public:
   {
   }
 
-  /// Finds the group of each of the corners at a point; returns how many there are.
+  /// Finds the group of each corner at a point. Returns the number of groups.
   template <typename Cells>
   int findGroups(const Cells& cells, std::int64_t point, const Corner* corners, int count)
   {
@@ -126,7 +127,7 @@ private:
     {
       if (i > 0 && corners[i].face == corners[i - 1].face)
       {
-        this->Groups.join(i, i - 1); // a face that comes by twice is one face
+        this->Groups.join(i, i - 1); // a face that names the point twice is still one face
       }
       const auto begin = cells.offsets[corners[i].face];
       const auto end = cells.offsets[corners[i].face + 1];
@@ -162,7 +163,8 @@ private:
   DisjointSets Groups;
 };
 
-/// The group of each listed corner, and in copyCount[p + 1] how many copies p needs.
+/// Returns the group of each listed corner. Sets copyCount[p + 1] to the number of copies that p
+/// needs.
 std::unique_ptr<int[]> groupCorners(const Faces& faces, const CornersOfPoints& points,
   double featureAngle, const Parallel& parallel, std::vector<std::int64_t>& copyCount)
 {

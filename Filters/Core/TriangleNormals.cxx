@@ -12,8 +12,8 @@ namespace lambent
 {
 namespace
 {
-/// Finds where a face names a point. The corners of a face at the same point all have the
-/// same normal, so any of them will do.
+/// Maps the points of a face to the numbers of their normals. All corners of a face at the same
+/// point have the same normal, so any of them will do.
 class FaceNumbers
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the normals of faces at the corners of the triangles that they are cut into
+ * @brief the normals of faces at the corners of their triangles
  */
 #ifndef lambent_TriangleNormals_h
 #define lambent_TriangleNormals_h
@@ -14,10 +14,10 @@
 namespace lambent
 {
 /**
- * The number of the normal at each corner of the triangles of Triangulation.h: those of the
- * faces in ascending order, n - 2 for a face of n corners. There must be numbers in
- * `normals`. A corner at a point that its face does not name (a triangle that stands for a
- * face with a point that is not finite) gets the point's number.
+ * The number of the normal at each corner of the triangles of Triangulation.h: n - 2 triangles
+ * for a face with n corners, in ascending order of the faces. normals.numbers must be set. If
+ * its face does not name a corner's point, the corner gets the number of the point. This
+ * happens in a strip with a point that is not finite: all its triangles consist of that point.
  */
 std::vector<std::int32_t> numbersOfTriangles(const CellSpan& faces, const CornerNormals& normals,
   const IndexSpan& corners, const Parallel& parallel);

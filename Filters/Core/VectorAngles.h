@@ -4,7 +4,7 @@
  * @file
  * @brief CornerAngles.h for several triangles at a time, for kernels
  *
- * Included once for each target, hence the toggled guard.
+ * Each target includes this header once, hence the toggled guard.
  */
 #if defined(lambent_VectorAngles_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef lambent_VectorAngles_h
@@ -77,7 +77,7 @@ V turnForth(V quarters, V t)
     hn::Add(rest, hn::Mul(quarters, hn::Set(d, 0.25 * piLow))));
 }
 
-/// lambent::anglesOf(): of a, b and c.
+/// lambent::anglesOf(): the angles at a, b and c.
 Vector3 anglesOf(V y, V xa, V xb, V xc)
 {
   const M isLargestA = hn::And(hn::Le(xa, xb), hn::Le(xa, xc));

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which area vectors have a usable length, several at a time; coordinates as doubles
+ * @brief isUsableSquare() for several lengths at a time; conversion of coordinates to double
  *
- * Included once for each target, hence the toggled guard.
+ * Each target includes this header once, hence the toggled guard.
  */
 #if defined(lambent_VectorLengths_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef lambent_VectorLengths_h

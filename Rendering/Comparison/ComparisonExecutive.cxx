@@ -19,7 +19,7 @@ vtkTypeBool vtkLambentImageComparison::Executive::ProcessRequest(
     return result;
   }
   const bool isCompared = comparison->NumberOfComparisons != comparisonsBefore;
-  // The data time moves without a comparison when the execution was aborted.
+  // If the execution was aborted, the data time changes without a comparison.
   if (!isCompared && (!result || this->DataTime.GetMTime() != dataTimeBefore))
   {
     this->FailureTime = now;
@@ -27,7 +27,7 @@ vtkTypeBool vtkLambentImageComparison::Executive::ProcessRequest(
   if (now <= this->FailureTime)
   {
     comparison->Fail("there is nothing to compare, since an input could not be updated");
-    return 0; // so that nothing downstream goes on either
+    return 0; // so that downstream filters stop, too
   }
   if (!isCompared && now > this->DataTime.GetMTime())
   {

@@ -4,11 +4,10 @@
  * @file
  * @brief the executive of vtkLambentImageComparison, which keeps its results current
  *
- * When an input fails, a pipeline stops before it reaches the algorithm, and the algorithm's
- * results would stay those of an earlier request. Every request passes through
- * ProcessRequest() of the executive, whichever method and whichever filter downstream made it.
- * So the results are discarded here unless the request led to a comparison or left nothing to
- * compare anew.
+ * When an input fails, the pipeline stops before it reaches the algorithm, which would keep the
+ * results of an earlier request. Every request passes through ProcessRequest() of the executive,
+ * whichever method or downstream filter made it. So the results are discarded here, unless the
+ * request led to a comparison or nothing has changed since the last one.
  */
 #ifndef ComparisonExecutive_h
 #define ComparisonExecutive_h
@@ -33,8 +32,8 @@ private:
   Executive(const Executive&) = delete;
   void operator=(const Executive&) = delete;
 
-  /// When the pipeline was last changed before a failed pass. VTK takes such a pass for done
-  /// until there is another change, and goes on with what is left of the data.
+  /// The modification time of the pipeline at the last failed pass. VTK considers such a pass done
+  /// until the next change, and continues with stale data.
   vtkMTimeType FailureTime = 0;
 };
 

@@ -33,7 +33,7 @@ constexpr std::array<std::uint32_t, 256> makeTable()
   return table;
 }
 
-/// The check sum CRC-32 of ISO 3309.
+/// The CRC-32 checksum of ISO 3309.
 std::uint32_t checkSum(std::string_view bytes)
 {
   static constexpr auto table = makeTable();
@@ -55,7 +55,7 @@ std::uint32_t bigEndian(std::string_view bytes)
   return value;
 }
 
-/// Throws unless the chunks are whole: length, type, data, check sum each.
+/// Throws unless each chunk is complete: length, type, data, checksum.
 void checkChunks(std::string_view bytes)
 {
   for (std::string_view type; type != "IEND";)
@@ -75,9 +75,9 @@ void checkChunks(std::string_view bytes)
 }
 
 /**
- * libpng with its input and its last error. libpng reports an error by longjmp(), which must
- * not skip a destructor; so each function that calls it has a setjmp() and no objects of its
- * own, and returns false after an error.
+ * libpng with its input and its last error. libpng reports errors by longjmp(), which must not
+ * skip destructors. So each function that calls it has a setjmp() and no local objects, and
+ * returns false after an error.
  */
 struct Decoder
 {
@@ -132,7 +132,7 @@ bool readHeader(Decoder& decoder)
   return true;
 }
 
-/// What the pixels are to become; see the top of the header.
+/// Sets the pixel format that DecodePng.h describes.
 bool setTransformations(Decoder& decoder)
 {
   if (setjmp(png_jmpbuf(decoder.png)))
@@ -169,7 +169,8 @@ void require(bool isRead, const Decoder& decoder)
   }
 }
 
-/// Deflate makes at most 1032 bytes of one; more was never in the file, and is not allocated.
+/// Deflate expands a byte to at most 1032. Rejects larger images, which cannot be complete, before
+/// memory is allocated.
 void checkSize(const Decoder& decoder, std::size_t fileSize)
 {
   const std::size_t height = png_get_image_height(decoder.png, decoder.info);

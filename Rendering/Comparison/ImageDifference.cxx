@@ -20,13 +20,13 @@ bool areSame(T a, T b)
   return a == b || (a != a && b != b);
 }
 
-/// |a - b| of values that are not the same.
+/// |a - b| of two different values; infinity if one is NaN.
 template <typename T>
 double distance(T a, T b)
 {
   if constexpr (std::is_integral_v<T>)
   {
-    using Unsigned = std::make_unsigned_t<T>; // holds what a signed difference may not
+    using Unsigned = std::make_unsigned_t<T>; // the signed difference could overflow
     const auto low = static_cast<Unsigned>(std::min(a, b));
     return static_cast<double>(static_cast<Unsigned>(static_cast<Unsigned>(std::max(a, b)) - low));
   }
@@ -37,7 +37,7 @@ double distance(T a, T b)
   }
 }
 
-/// A difference in the type of the values, or the most that this can hold.
+/// A difference in the type of the values, clamped to its range.
 template <typename T>
 T narrowed(double d)
 {
@@ -124,7 +124,7 @@ ImageDifference subtract(const T* a, const T* b, T* absolute, int width, int hei
   return addUp(rows, width);
 }
 
-/// The array itself, or a copy whose tuples lie one after the other.
+/// The array itself, or a copy with contiguous tuples.
 vtkSmartPointer<vtkDataArray> inStandardLayout(vtkDataArray* array)
 {
   if (array->HasStandardMemoryLayout())

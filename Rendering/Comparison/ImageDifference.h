@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the difference of two arrays of pixels, in numbers and as pixels
+ * @brief the difference of two arrays of pixels, as statistics and as pixels
  *
- * The rows are compared in parallel and what they yield is added up in their order,
- * so that sums of floating-point numbers come out the same with any number of threads.
+ * The rows are compared in parallel. Their results are added in row order, so that
+ * floating-point sums are the same with any number of threads.
  */
 #ifndef ImageDifference_h
 #define ImageDifference_h
@@ -18,22 +18,22 @@ struct ImageDifference
 {
   double maximum = 0.0;
   double sumOfSquares = 0.0;
-  vtkIdType changed = 0; ///< pixels
+  vtkIdType changed = 0; ///< the number of changed pixels
   vtkIdType first = -1;  ///< index of the first changed pixel
   int extent[4] = { 0, -1, 0, -1 };
 };
 
 /**
- * Compare two arrays of the same type, number of components and length, in rows of
- * so many pixels. The third, of that kind as well, receives the absolute differences.
- * False if the type is not a number type. Two values are the same if they are equal or
- * both NaN; a NaN in one alone differs by infinity.
+ * Compare two arrays of the same type, number of components and length, in rows of `width`
+ * pixels. `absolute`, an array like them, receives the absolute differences. Returns false if the
+ * type is not numeric. Two values are the same if they are equal or both NaN. If only one is NaN,
+ * the difference is infinity.
  */
 bool subtractImages(vtkDataArray* picture, vtkDataArray* baseline, int width,
   ImageDifference& result, vtkDataArray* absolute);
 
-/// From absolute differences, of which the largest is given, a picture in which the smallest
-/// shows; see vtkLambentImageComparison::SetHighlight().
+/// Convert absolute differences, the largest of which is `maximum`, to a picture in which even the
+/// smallest is visible; see vtkLambentImageComparison::SetHighlight().
 void highlight(vtkDataArray* absolute, double maximum, vtkDataArray* bytes);
 
 #endif

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether a reader upstream reports an error
+ * @brief whether an upstream reader has set an error code
  *
- * Some of VTK's readers, vtkPNGReader among them, tell the pipeline that all is well when they
- * could not read their file, and pass on memory that nobody has written to. With luck that is
- * the picture of the last time. Their error code is the only trace.
+ * Some of VTK's readers, vtkPNGReader among them, report success to the pipeline when they cannot
+ * read their file, and output uninitialized memory. With luck that is the previous picture.
+ * Their error code is the only trace.
  */
 #ifndef InputErrors_h
 #define InputErrors_h
@@ -15,8 +15,9 @@
 
 class vtkAlgorithm;
 
-/// "The baseline could not be made: vtkJPEGReader reports: FileNotFoundError" for the first error
-/// code that is set anywhere upstream of the ports of picture and baseline; empty if none is.
+/// A message for the first error code that is set anywhere upstream of picture or baseline, such as
+/// "The baseline could not be made: vtkJPEGReader reports: FileNotFoundError". Empty if none is
+/// set.
 std::string findInputError(vtkAlgorithm* comparison);
 
 #endif

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief assertions of GoogleTest about images
+ * @brief GoogleTest assertions for images
  *
  *     EXPECT_IMAGES_EQ(image, expected);        // no value may differ
  *     EXPECT_IMAGES_NEAR(image, expected, 2.0); // none by more than 2
  *
- * and ASSERT_IMAGES_EQ, ASSERT_IMAGES_NEAR. They take vtkImageData*, vtkNew and
- * vtkSmartPointer of it, compare as vtkLambentImageComparison does, and fail with its
+ * and ASSERT_IMAGES_EQ, ASSERT_IMAGES_NEAR. They take vtkImageData*, vtkNew<vtkImageData> and
+ * vtkSmartPointer<vtkImageData>, compare with vtkLambentImageComparison, and fail with its
  * message: "17 of 90000 pixels differ, by at most 3 of 255; the first is (12, 40)".
- * What has no image (nullptr) fails.
+ * nullptr fails.
  *
  * Link Lambent::Lambent and GoogleTest.
  */

@@ -1,36 +1,35 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Pictures as tests of CTest. find_package(Lambent) defines
+# Image tests for CTest. find_package(Lambent) defines
 #
 #   lambent_add_image_test(NAME <name> INPUT <mesh>... BASELINE <file>
 #     [ARGS <option of lambent>...] [METRIC max|rmse|ssim] [TOLERANCE <t>])
 #
-# The test <name> draws the meshes with the command lambent and these options, and passes if the
-# picture is the baseline: exactly, or as METRIC and TOLERANCE say. Names are relative to the source
-# folder, which the test runs in. The picture is as large as the baseline, or as --size says. In ARGS
-# join the parts of a light by colons (--light position=3,4,5:color=gold): semicolons part the elements
-# of a list when it goes through set().
+# The test <name> renders the meshes with the command lambent and these options, and passes if the
+# picture matches the baseline: exactly, or within METRIC and TOLERANCE. Paths are relative to the
+# source folder, in which the test runs. The picture has the size of the baseline, unless --size is
+# given. In ARGS, join the parts of a light with colons (--light position=3,4,5:color=gold), since
+# set() splits lists at semicolons.
 #
 #   lambent_add_image_test(NAME <name> PICTURE <file> BASELINE <file>
 #     [COMMAND <command> <argument>...] [WORKING_DIRECTORY <folder>] [METRIC ...] [TOLERANCE ...])
 #
-# The test <name> passes if the picture, a .png or .vti, is the baseline. COMMAND draws it, in a test
-# <name>.Draw that runs before, in WORKING_DIRECTORY or else the binary folder, to which <file> is
-# relative. A relative WORKING_DIRECTORY is one in the binary folder; it is made if it is missing.
-# Without COMMAND something else has to draw the picture first. The picture may not be the baseline
-# itself, which would always pass.
+# The test <name> passes if the picture, a .png or .vti, matches the baseline. COMMAND draws it, in a
+# test <name>.Draw that runs first. That test runs in WORKING_DIRECTORY, by default the binary folder,
+# and <file> is relative to it. A relative WORKING_DIRECTORY lies in the binary folder and is created
+# if missing. Without COMMAND, something else must draw the picture first. The picture must not be the
+# baseline itself, which would always pass.
 #
-# A test without a baseline fails and names what it has drawn. To accept what is drawn, build the target
-# lambent-update-baselines, or run ctest with LAMBENT_UPDATE_BASELINES=1 in the environment; -R <name>
-# chooses, and all of these tests have the label lambent-image. Where tests have failed, the page
-# LAMBENT_IMAGE_REPORT (lambent-report.html in the top binary folder, if it is not set) shows picture,
-# baseline and their difference. CDash is told of them, too.
+# A test without a baseline fails and names its picture. To accept the pictures, build the target
+# lambent-update-baselines, or run ctest with LAMBENT_UPDATE_BASELINES=1 in the environment. Select
+# tests with -R <name>; all of these tests have the label lambent-image. If tests fail, the page
+# LAMBENT_IMAGE_REPORT (default: lambent-report.html in the top binary folder) shows picture, baseline
+# and difference. CDash receives them, too.
 
 include_guard(GLOBAL)
 
-# Where a path of the caller's is, relative to a folder. What begins with a generator expression stays as
-# it is.
+# Makes a caller's path absolute, relative to a folder, unless it begins with a generator expression.
 function (_lambent_absolute result path folder)
   if (NOT path MATCHES "^\\$<" AND NOT IS_ABSOLUTE "${path}")
     set(path "${folder}/${path}")
@@ -61,8 +60,8 @@ function (_lambent_check_image_test)
   endif ()
 endfunction ()
 
-# A file name for a test that no other test has, also where the file system ignores case. A name that is a
-# C identifier stays readable; any other has its hash behind it.
+# A unique file name for a test, even if the file system ignores case. A name that is a C identifier is
+# used unchanged; any other gets its hash appended.
 function (_lambent_file_name result name)
   string(MAKE_C_IDENTIFIER "${name}" file)
   string(TOLOWER "${file}" key)
@@ -78,13 +77,13 @@ function (_lambent_file_name result name)
   set("${result}" "${file}" PARENT_SCOPE)
 endfunction ()
 
-# Stops if the picture is the baseline, as far as that is known before anything is built; the command
-# looks again when the test runs.
+# Stops if the picture is the baseline, as far as this is known at configure time. The command checks
+# again when the test runs.
 function (_lambent_check_not_baseline picture)
   _lambent_absolute(baseline "${arg_BASELINE}" "${CMAKE_CURRENT_SOURCE_DIR}")
   if (NOT "${picture}${baseline}" MATCHES "\\$<")
     foreach (path IN ITEMS picture baseline)
-      if (NOT EXISTS "${${path}}") # links in a path to nowhere are not followed
+      if (NOT EXISTS "${${path}}") # REAL_PATH does not resolve links in the path of a missing file
         get_filename_component(name "${${path}}" NAME)
         get_filename_component(${path} "${${path}}" DIRECTORY)
         file(REAL_PATH "${${path}}" ${path})

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief for tests in the manner of vtkTesting: arguments -V and -T, tags for CDash
+ * @brief image tests in the style of vtkTesting: arguments -V and -T, tags for CDash
  *
  *     int TestPicture(int argc, char* argv[])
  *     {
@@ -11,18 +11,18 @@
  *       return !lambentRegressionTest(argc, argv, tracer.Get());
  *     }
  *
- * stands where vtkRegressionTestImage() or vtkTesting::RegressionTest() stood, takes
- * the arguments that these take, and returns what they return:
+ * It replaces vtkRegressionTestImage() and vtkTesting::RegressionTest(), takes the same
+ * arguments, and returns the same values:
  *
- *     -V BASELINE   the PNG file that the picture must be
- *     -T FOLDER     where the picture and the difference are written if it is not [.];
- *                   in the folder of the baseline nothing is written
+ *     -V BASELINE   the PNG file that the picture must match
+ *     -T FOLDER     the folder for picture and difference if they do not match [.];
+ *                   nothing is written into the folder of the baseline
  *
- * Unlike those it is exact unless it is given a tolerance, in units of the scalars, and
- * knows no alternative baselines. With LAMBENT_UPDATE_BASELINES=1 in the
- * environment a picture that differs becomes the baseline, if it can: a PNG holds one slice of 1
- * to 4 components of unsigned char or unsigned short. A baseline that is damaged fails the test;
- * one that cannot be a file, such as a folder, does so even then.
+ * Unlike these, it is exact unless given a tolerance, in units of the scalars, and has no
+ * alternative baselines. With LAMBENT_UPDATE_BASELINES=1 in the environment, a picture that
+ * differs becomes the baseline if a PNG can hold it: one slice of 1 to 4 components of unsigned
+ * char or unsigned short. A damaged baseline fails the test unless it is updated. A baseline that
+ * is not a regular file, such as a folder, always fails.
  *
  * Link Lambent::Lambent and VTK::IOImage.
  */
@@ -40,7 +40,7 @@
 #include "vtkLambentImageComparison.h"
 #include "vtkLambentPNGReader.h"
 #include "vtkNew.h"
-#include "vtkPNGReader.h" // not needed here; callers have come to rely on it
+#include "vtkPNGReader.h" // not needed here, but callers rely on it
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -52,7 +52,7 @@
 #include <random>
 #include <string>
 
-/// As vtkTesting has them, of which LambentNotRun is for a test without -V.
+/// The values of vtkTesting. LambentNotRun: the arguments have no -V.
 enum LambentRegressionResult
 {
   LambentFailed = 0,
@@ -92,8 +92,8 @@ inline std::string whyNotPng(vtkImageData* image)
       std::to_string(components) + " of " + scalars->GetDataTypeAsString();
 }
 
-/// Writes a PNG file, whole or not at all: first beside the file, to which links lead. What went
-/// wrong, or an empty text.
+/// Writes a PNG file atomically: first to a temporary file beside the target of any links, which
+/// is then renamed. Returns what went wrong, or an empty string.
 inline std::string write(vtkImageData* image, const std::string& path)
 {
   namespace fs = std::filesystem;
@@ -165,7 +165,7 @@ inline int accept(vtkImageData* picture, const std::string& baseline)
   return LambentPassed;
 }
 
-/// Write a file for the user to look at, and name it; never over the baseline.
+/// Write an image for the user to inspect, and report its path. Never overwrites the baseline.
 inline bool leaveBehind(
   vtkImageData* image, const std::string& path, const std::string& baseline, const char* name)
 {
@@ -183,7 +183,7 @@ inline bool leaveBehind(
   return true;
 }
 
-/// Leave picture and difference behind, and name them.
+/// Write picture and difference, and report their paths.
 inline int fail(vtkImageData* picture, vtkLambentImageComparison* comparison,
   const std::string& baseline, const std::string& folder)
 {
@@ -270,7 +270,7 @@ inline int lambentRegressionTest(
     : lambentRegression::fail(picture, comparison, baseline, folder);
 }
 
-/// The first output of an algorithm, brought up to date.
+/// Updates the algorithm and tests its first output.
 inline int lambentRegressionTest(
   int argc, char* argv[], vtkAlgorithm* algorithm, double tolerance = 0.0)
 {
@@ -279,7 +279,7 @@ inline int lambentRegressionTest(
     std::cout << "There is no picture: the algorithm is nullptr or has no output.\n";
     return LambentFailed;
   }
-  // An input that fails leaves the last output as it was.
+  // If an input fails, the output keeps its old contents.
   if (!algorithm->GetExecutive()->Update(0))
   {
     std::cout << algorithm->GetClassName() << " could not be updated; see what VTK printed.\n";

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether two paths lead to one file, so that writing one changes the other
+ * @brief whether two paths name the same file, so that writing to one changes the other
  *
- * Spellings (./, .., //), symbolic links, hard links, and upper and lower case where the file
- * system ignores it are seen through. A file need not exist yet. Where it does not, two names
- * that only such a file system takes for one count as two.
+ * Handles spellings (./, .., //), symbolic links, hard links, and upper and lower case where the
+ * file system ignores it. Files need not exist yet, but names of missing files that differ only
+ * in case count as different.
  */
 
 #ifndef LambentSameFile_h
@@ -17,7 +17,7 @@
 
 namespace lambentFiles
 {
-/// The file that a path leads to, through symbolic links, also those to a missing file.
+/// Resolves all symbolic links in a path, even those to a missing file.
 inline std::filesystem::path resolve(std::filesystem::path path)
 {
   namespace fs = std::filesystem;

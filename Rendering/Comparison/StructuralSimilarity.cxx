@@ -16,7 +16,7 @@
 
 namespace
 {
-/// The largest difference that values of the type can have, of floating-point ones 1.
+/// The largest difference between two values of the type; 1 for floating point.
 int rangeOf(vtkImageData* image)
 {
   switch (image->GetScalarType())
@@ -45,7 +45,7 @@ bool hasStructuralSimilarity()
 double structuralSimilarity(vtkImageData* picture, vtkImageData* baseline)
 {
   std::vector<int> ranges(picture->GetNumberOfScalarComponents(), rangeOf(picture));
-  vtkNew<vtkImageData> placed; // vtkImageSSIM wants the two in one place
+  vtkNew<vtkImageData> placed; // vtkImageSSIM requires equal extents
   placed->ShallowCopy(baseline);
   placed->SetExtent(picture->GetExtent());
   vtkNew<vtkImageSSIM> filter;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the structural similarity of two pictures, where VTK can compute it
+ * @brief the structural similarity of two pictures, if VTK can compute it
  */
 #ifndef StructuralSimilarity_h
 #define StructuralSimilarity_h

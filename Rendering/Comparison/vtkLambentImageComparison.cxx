@@ -41,7 +41,7 @@ std::string describe(vtkImageData* image)
   return text.str();
 }
 
-/// Throws unless the image, if it is not empty, has a scalar for each pixel.
+/// Throws unless the image is empty or has a scalar for each pixel.
 void checkScalars(vtkImageData* image, const char* name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
@@ -80,7 +80,7 @@ std::string findMismatch(vtkImageData* picture, vtkImageData* baseline)
   return "";
 }
 
-/// " of 255" where the type has a largest value that means something.
+/// " of 255" or the like if the largest value of the type is meaningful.
 std::string fullScale(vtkImageData* image)
 {
   const int type = image->GetScalarType();
@@ -150,7 +150,7 @@ int vtkLambentImageComparison::RequestInformation(
 int vtkLambentImageComparison::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int port = 0; port < 2; ++port) // all of both, whatever part of the output is wanted
+  for (int port = 0; port < 2; ++port) // both entirely, whatever part of the output is requested
   {
     vtkInformation* info = inputs[port]->GetInformationObject(0);
     if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
@@ -158,7 +158,7 @@ int vtkLambentImageComparison::RequestUpdateExtent(
       info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
         info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
     }
-    // A source that cannot make pieces would not run for the second one, and leave its old output.
+    // A source that cannot produce pieces would not run for the second, and keep its old output.
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
@@ -255,7 +255,7 @@ void vtkLambentImageComparison::Compare(
   output->GetPointData()->SetScalars(values);
 }
 
-// Whether the result is good enough, and what it is in one line for humans.
+// Sets Passed, and Message in one line for the user.
 void vtkLambentImageComparison::Judge(
   vtkIdType x, vtkIdType y, vtkIdType pixels, const std::string& ofScale)
 {

@@ -4,35 +4,35 @@
  * @class   vtkLambentImageComparison
  * @brief   compare a picture with its baseline, exactly or within a tolerance
  *
- * Port 0 takes the picture, port 1 the baseline, both vtkImageData of one slice
- * with active point scalars of any number type and number of components. Only
- * these scalars are compared; origin, spacing, and where the extent begins are
- * not. Two values are the same if they are equal as numbers or both not a number
- * (NaN); so 0 is -0. A value that is NaN in one picture alone differs by infinity.
+ * Port 0 takes the picture, port 1 the baseline. Both are vtkImageData of one slice
+ * with active point scalars of any numeric type and number of components. Only
+ * these scalars are compared; origin, spacing, and the start of the extent are
+ * ignored. Two values are the same if they are equal as numbers or both NaN; so 0
+ * equals -0. If only one of two values is NaN, they differ by infinity.
  *
- * How it is done:
+ * Algorithm:
  *
- * 1. Size, number of components and scalar type must be the same; if they are
+ * 1. Check that size, number of components and scalar type are the same. If they are
  *    not, or a picture is empty, the comparison fails and the output is empty.
- * 2. The rows are compared, in parallel.
- * 3. What was found in the rows is added up in their order. So the results do not
- *    depend on the number of threads.
+ * 2. Compare the rows, in parallel.
+ * 3. Add up the results of the rows in order, so that they do not depend on the number of
+ *    threads.
  *
- * A comparison that fails is a result, not an error: Update() is silent, and
- * GetPassed() and GetMessage() tell. An input without scalars, or with too few of
- * them, a type that is not a number type, and a metric that the VTK in use lacks
- * are errors, and the comparison fails.
+ * A failed comparison is a result, not an error: Update() reports nothing; call
+ * GetPassed() and GetMessage(). Errors, which also fail the comparison, are: an input
+ * without scalars or with too few of them, a type that is not numeric, and a metric that
+ * the VTK in use lacks.
  *
- * A result is never older than the last request. If an input cannot be updated, the
- * comparison fails, whichever method asked for it: Update(), UpdateWholeExtent(),
+ * Results are never older than the last request. If an input cannot be updated, the
+ * comparison fails, whatever made the request: Update(), UpdateWholeExtent(),
  * UpdateExtent(), UpdatePiece(), the executive, or a filter, writer or streamer downstream.
- * The same goes for a reader upstream that sets an error code and calls its update a success.
- * If an input or a setting has changed and a request leads to no new comparison, such as
- * UpdateInformation() alone, nothing has passed either; nor before the first request.
- * Composite data are refused; compare the blocks one by one.
+ * The same holds if an upstream reader sets an error code but reports success.
+ * Passed is also false before the first request, and if an input or a setting has changed but
+ * the request does not compare, such as UpdateInformation().
+ * Composite data are rejected; compare their blocks one by one.
  *
  * @warning vtkPNGReader (VTK 9.1) neither fails nor sets an error code when its file is missing,
- * and passes on old memory. Read baselines with vtkLambentPNGReader.
+ * and outputs old memory. Read baselines with vtkLambentPNGReader.
  *
  * Output: the difference of the pictures; see Highlight.
  *
@@ -62,8 +62,7 @@ public:
 
   ///@{
   /**
-   * The two pictures, instead of SetInputConnection() and SetInputData() with the
-   * ports 0 and 1.
+   * Set the two pictures, as SetInputData() does for ports 0 and 1.
    */
   void SetPictureData(vtkDataObject* picture) { this->SetInputData(0, picture); }
   void SetBaselineData(vtkDataObject* baseline) { this->SetInputData(1, baseline); }
@@ -78,13 +77,14 @@ public:
 
   ///@{
   /**
-   * What is held against the tolerance. MAXIMUM_DIFFERENCE: the largest difference of
-   * two values. ROOT_MEAN_SQUARE: that of all differences. STRUCTURAL_SIMILARITY: what
-   * it lacks to 1. Other values are clamped. Default: MAXIMUM_DIFFERENCE.
+   * The metric that must not exceed the tolerance. MAXIMUM_DIFFERENCE: the largest difference
+   * between two values. ROOT_MEAN_SQUARE: the root mean square of all differences.
+   * STRUCTURAL_SIMILARITY: 1 minus the structural similarity. Other values are clamped.
+   * Default: MAXIMUM_DIFFERENCE.
    *
-   * Structural similarity is computed by vtkImageSSIM, which VTK has since 9.4; without it this
-   * metric is an error. It takes scalars of unsigned char (the range is 255), unsigned short
-   * (65535), float and double (1); others are an error.
+   * vtkImageSSIM, new in VTK 9.4, computes the structural similarity; without it this metric is
+   * an error. It takes scalars of unsigned char (with a range of 255), unsigned short (65535),
+   * float and double (1); other types are errors.
    */
   vtkSetClampMacro(Metric, int, MAXIMUM_DIFFERENCE, STRUCTURAL_SIMILARITY);
   vtkGetMacro(Metric, int);
@@ -99,10 +99,10 @@ public:
 
   ///@{
   /**
-   * How much the metric may be, in units of the scalars: for unsigned char from 0 to
-   * 255. For the structural similarity, which is at most 1, from 0 to 2: 0.05 asks for
-   * 0.95 at least. 0 is exact for each of the metrics: then no value may differ. A
-   * negative or non-finite tolerance is an error and leaves the old one. Default: 0.
+   * The largest allowed metric, in units of the scalars: 0 to 255 for unsigned char. For the
+   * structural similarity it is 0 to 2: 0.05 requires a similarity of at least 0.95. With 0
+   * no value may differ, whatever the metric. A negative or non-finite tolerance is an error
+   * and changes nothing. Default: 0.
    */
   virtual void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
@@ -110,14 +110,13 @@ public:
 
   ///@{
   /**
-   * Off: the output has the type and components of the inputs, and each value is the
-   * absolute difference of theirs (no more than the type can hold). On: it is a
-   * picture to look at, in which the smallest difference shows, of three components of
-   * unsigned char: 0 where the values are the same, from 55 up to 255, which is the
-   * largest difference of all, where they are not. The difference of grey stands for
-   * all three, and so does that of an alpha channel (the second of 2 components, the
-   * fourth of 4) where it is larger. Of more components the first three are shown.
-   * Default: off.
+   * Off: the output has the type and components of the inputs; each value is the absolute
+   * difference of theirs, clamped to the range of the type. On: the output is a picture with
+   * three components of unsigned char in which even the smallest difference is visible: 0
+   * where values are the same, and from 55 to 255 (the largest difference of all) where they
+   * differ. All three components show the difference of grey, and that of an alpha channel
+   * (the second of 2 components, the fourth of 4) where it is larger. Of more than four
+   * components, the first three are shown. Default: off.
    */
   vtkSetMacro(Highlight, vtkTypeBool);
   vtkGetMacro(Highlight, vtkTypeBool);
@@ -130,13 +129,13 @@ public:
    *
    * Passed: whether the metric is within the tolerance.
    * MaximumDifference, RootMeanSquare: over all values of all pixels, in units of the
-   * scalars; infinite where a value is NaN or infinite in one picture alone; NaN if
-   * the pictures could not be compared.
+   * scalars; infinite if a value is NaN or infinite in only one picture; NaN if the
+   * pictures could not be compared.
    * StructuralSimilarity: the mean over all values, from -1 to 1; NaN unless it is the
    * metric.
-   * NumberOfChangedPixels: of those that differ in a value, however little, whatever
-   * the tolerance.
-   * ChangedExtent: the first and last column, and the first and last row, of changed
+   * NumberOfChangedPixels: the pixels in which any value differs, however little and
+   * whatever the tolerance.
+   * ChangedExtent: the first and last column, and the first and last row, with changed
    * pixels, counted from 0 at the lower left; (0, -1, 0, -1) if there are none.
    */
   vtkGetMacro(Passed, bool);
@@ -148,9 +147,9 @@ public:
   ///@}
 
   /**
-   * The result of the last request in one line without an end, such as "17 of 90000
+   * The result of the last request, one line without a newline, such as "17 of 90000
    * pixels differ, by at most 3 of 255; the first is (12, 40)". Columns are counted
-   * from 0 at the left, rows from 0 at the bottom; the first pixel is the leftmost of
+   * from 0 at the left, rows from 0 at the bottom; the first pixel is the leftmost in
    * the lowest row.
    */
   const char* GetMessage() const { return this->Message.c_str(); }
@@ -159,7 +158,7 @@ protected:
   vtkLambentImageComparison();
   ~vtkLambentImageComparison() override = default;
 
-  /// One that discards the results of requests that do not lead to a comparison.
+  /// Creates an executive that discards outdated results.
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
@@ -186,7 +185,7 @@ private:
 
   class Executive;
 
-  /// No result but a message.
+  /// Resets the results and sets the message.
   void Fail(const std::string& message);
   /// Throws std::runtime_error with a message for the user.
   void Compare(vtkImageData* picture, vtkImageData* baseline, vtkImageData* output);

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLambentPNGReader
- * @brief   read a PNG file that may be broken
+ * @brief   read PNG files safely, even broken ones
  *
- * Gives the same vtkImageData as vtkPNGReader for each sound file, but survives the others:
- * vtkPNGReader ends the process when libpng finds an error, such as a file that was cut
- * short. Baselines come out of version control, large-file stores and interrupted copies, so
- * everything of Lambent that compares pictures reads them with this class.
+ * Produces the same vtkImageData as vtkPNGReader for each valid file, but survives broken files:
+ * vtkPNGReader terminates the process when libpng finds an error, such as a truncated file.
+ * Baselines come from version control, large-file stores and interrupted copies, so all image
+ * comparisons in Lambent read them with this class.
  *
- * The whole file is checked and decoded in the first pass of an update. Update() reports a
- * broken file as an error, and the output is then empty. Read() does the same without an
- * error event; GetMessage() says what is wrong.
+ * The whole file is checked and decoded in the first pass of an update. For a broken file,
+ * Update() reports an error and the output is empty. Read() does the same without an
+ * error event; GetMessage() then describes the defect.
  *
- * Output: one slice, spacing 1, origin 0, the bottom row first. Point scalars "PNGImage" of
+ * Output: one slice, spacing 1, origin 0, the bottom row first. The point scalars "PNGImage" are
  * unsigned char or unsigned short, with 1 (grey), 2 (grey and alpha), 3 (RGB) or 4 (RGBA)
- * components. A palette is resolved, fewer than 8 bits become 8, and a transparent colour
+ * components. Palettes become colours, fewer than 8 bits become 8, and a transparent colour
  * becomes an alpha channel.
  *
- * @warning The VTK module png is optional. Without it each file is an error; see IsAvailable().
+ * @warning The VTK module png is optional. Without it every file is an error; see IsAvailable().
  *
  * @sa
  * vtkLambentImageComparison vtkPNGReader
@@ -45,27 +45,26 @@ public:
 
   ///@{
   /**
-   * The file, a regular one. Default: none.
+   * The path of the file, which must be a regular file. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
-  /// Whether this VTK has the module png, which decodes the pixels.
+  /// Whether Lambent was built with the VTK module png, which decodes the pixels.
   static bool IsAvailable();
 
   /**
-   * Read the file now, even if it was read before: a pipeline does so only after a change of
-   * the name. True if it is a whole PNG file; then Update() passes on what was read. Otherwise
-   * GetMessage() says why not, in one line. There is no error event.
+   * Read the file now, even if it was read before. (A pipeline rereads it only after its name
+   * changes.) Returns true if it is a complete PNG file; then Update() outputs what was read.
+   * Otherwise GetMessage() gives the reason in one line. There is no error event.
    */
   bool Read();
 
-  /// What is wrong with the file that was last read, such as "the file is cut short"; empty if
-  /// nothing is.
+  /// What is wrong with the file last read, such as "the file is cut short"; empty if it is valid.
   const char* GetMessage() const { return this->Message.c_str(); }
 
-  /// The text of a key in the file that was last read (tEXt, zTXt and iTXt chunks), or nullptr.
+  /// The text for a key in the file last read (tEXt, zTXt and iTXt chunks), or nullptr.
   const char* GetText(const char* key) const;
 
 protected:

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures as tests in pytest: where their baselines are, how new ones are accepted, and a report.
+"""Image tests in pytest: the location of baselines, accepting new ones, and a report.
 
-pytest finds this plugin by its entry point wherever the package lambent is installed, and with
-`-p no:lambent` does without. It loads neither lambent nor VTK, so that a suite that draws nothing
-does not wait for them. lambent.testing finds in `running` what lambent/testing/runs.py tells
-without pytest.
+pytest finds this plugin by its entry point wherever the package lambent is installed;
+`-p no:lambent` disables it. It imports neither lambent nor VTK, so suites without pictures do not
+wait for them. lambent.testing uses the run in `running`; without pytest it uses that of
+lambent/testing/runs.py.
 """
 
 import os
@@ -31,7 +31,7 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
-    # Absolute from here on: xdist hands the options to its workers as they are.
+    # Make paths absolute, since xdist passes the options to its workers unchanged.
     for option in ("lambent_baselines", "lambent_report"):
         path = config.getoption(option)
         if path:
@@ -41,8 +41,8 @@ def pytest_configure(config):
 
 @pytest.fixture
 def lambent_baseline(request):
-    """assert_matches_baseline(image_or_filter, name, tolerance, metric) with a name that can be
-    left out; it is the test's own then, such as "test_box/test_side[front]"."""
+    """assert_matches_baseline(image_or_filter, name, tolerance, metric) with an optional name. The
+    default is the name of the test, such as "test_box/test_side[front]"."""
     from lambent.testing import assert_matches_baseline
 
     def assert_matches(image_or_filter, name=None, tolerance=0, metric="max"):
@@ -55,8 +55,8 @@ def lambent_baseline(request):
 
 
 class PictureRun:
-    """What this run decides for its pictures, and what became of them. A worker of xdist has one of
-    its own, and hands the results with its reports to that of the main process."""
+    """The settings of this run for its pictures, and their results. Each worker of xdist has its
+    own, and sends the results with its reports to that of the main process."""
 
     how_to_accept = "run pytest --lambent-update"
 
@@ -66,26 +66,26 @@ class PictureRun:
                             or os.environ.get("LAMBENT_UPDATE_BASELINES") == "1")
         self.accepted = set()  # the baselines that this process has accepted
         self.item = None  # the test that is running
-        self.pending = {}  # pictures and bytes of baselines, to be written if it passes
-        self.fresh = []  # its results that have not been reported
-        self.results = []  # those of all phases that have been reported
-        self.report = None  # the file, when it is written
-        self.problems = []  # what makes the run fail although its tests have passed
+        self.pending = {}  # pictures and bytes of baselines to write if it passes
+        self.fresh = []  # its results not reported yet
+        self.results = []  # all reported results
+        self.report = None  # the path of the report once it is written
+        self.problems = []  # reasons to fail the run although its tests have passed
 
-    # What lambent.testing asks.
+    # The interface to lambent.testing.
 
     @property
     def updates(self):
-        """Whether a picture of the running test may be accepted: a wrong one that is expected to
-        fail its test may not."""
+        """Whether a picture of the running test may be accepted. It may not if the test is expected
+        to fail."""
         return self.is_updating and not _expects_failure(self.item)
 
     def baselines(self, _calling_file):
-        """The folder of the baselines of the running test, whichever file its helpers are in."""
+        """The folder of the baselines of the running test, wherever its helpers are."""
         return self._common_baselines() or str(self.item.path.parent / "baselines")
 
     def failures(self):
-        """A new folder, named after the running test, for the pictures of a failure."""
+        """Create a folder, named after the running test, for the pictures of a failure."""
         factory = getattr(self.config, "_tmp_path_factory", None)  # none after -p no:tmpdir
         base = str(factory.getbasetemp()) if factory else tempfile.mkdtemp(prefix="pytest-")
         test = re.sub("::|/", ".", self.item.nodeid)
@@ -99,7 +99,7 @@ class PictureRun:
 
     def accept(self, baseline, picture, content):
         kept = type(picture)()
-        kept.DeepCopy(picture)  # the test may go on working on its own
+        kept.DeepCopy(picture)  # the test may still change its picture
         self.pending[baseline] = kept, content
         self.accepted.add(baseline)
 
@@ -107,8 +107,8 @@ class PictureRun:
         self.fresh.append(dict(result, test=self.item.nodeid))
 
     def name_of(self, item):
-        """The name of a test as that of its baseline: "file/Class.test[parameters]". In a folder
-        that is common to all tests the file has its folders, too."""
+        """The baseline name of a test: "file/Class.test[parameters]". If all tests share a folder,
+        the folders of the file are part of the name."""
         file, _, test = item.nodeid.partition("::")
         folders = [part.strip(".") for part in os.path.splitext(file)[0].split("/")]
         folders = [_plain(part) for part in folders if part]
@@ -118,14 +118,14 @@ class PictureRun:
         return "/".join(folders + [_plain(test.replace("::", ".") + bracket + parameters)])
 
     def _common_baselines(self):
-        """The folder that an option or else the ini-file names, if one of them does."""
+        """The folder from the option, or else from the ini-file, if any."""
         config = self.config
         folder = config.getoption("lambent_baselines") or config.getini("lambent_baselines")
-        # There may be no ini-file: -o stands for one.
+        # The setting can come from -o without an ini-file.
         home = config.inipath.parent if config.inipath else config.invocation_params.dir
         return folder and str(home / folder)
 
-    # What pytest tells.
+    # The hooks of pytest.
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item):
@@ -140,7 +140,7 @@ class PictureRun:
         outcome = yield
         report = outcome.get_result()
         if report.when == "setup" and report.passed:
-            # Whether these are accepted is known after the test itself.
+            # Keep these until the test has run, and accept them only if it passes.
             self.fresh = [result for result in self.fresh if result["outcome"] != "failed"]
             return
         if not report.passed or hasattr(report, "wasxfail"):
@@ -150,7 +150,7 @@ class PictureRun:
         report.lambent, self.fresh = self.fresh, []
 
     def pytest_runtest_logreport(self, report):
-        # A test that expects a failure passes: then nothing is wrong with the picture.
+        # If a test passes although a comparison failed, it expected the failure.
         self.results += [result for result in getattr(report, "lambent", ())
                          if result["outcome"] != "failed" or report.failed]
 
@@ -187,7 +187,7 @@ class PictureRun:
             write("lambent: the report is " + self.report)
 
     def _write_pending(self, report):
-        """Write what a test has accepted; if that cannot be, the test has failed."""
+        """Write the baselines that a test has accepted; if that fails, the test fails."""
         from lambent.testing.pictures import write_file
         while self.pending:
             baseline, (_picture, content) = self.pending.popitem()
@@ -211,7 +211,7 @@ class PictureRun:
         return [result for result in self.results if result["outcome"] == outcome]
 
     def _find_conflicts(self):
-        """Two workers may have accepted different pictures under one name."""
+        """Find baselines for which two workers have accepted different pictures."""
         digests = {}
         for result in self._of("accepted"):
             first = digests.setdefault(result["baseline"], result)
@@ -233,21 +233,22 @@ class PictureRun:
 
 
 def _expects_failure(item):
-    """Whether a test is marked as one that fails."""
+    """Whether a test is marked as expected to fail."""
     from lambent.testing.runs import unittest_expects_failure
     if unittest_expects_failure():
         return True
     if item.config.getoption("runxfail", False):
         return False
     try:
-        from _pytest.skipping import evaluate_xfail_marks  # there is no public way to ask
+        from _pytest.skipping import evaluate_xfail_marks  # there is no public API
     except ImportError:
         return item.get_closest_marker("xfail") is not None
     return evaluate_xfail_marks(item) is not None
 
 
 def _plain(text):
-    """Text that a file can be named after. Where that changes it, its checksum keeps it unique."""
+    """Make a text usable as a file name. If that changes it, its checksum is appended to keep it
+    unique."""
     plain = re.sub(r"[^\w.,=+@()\[\] -]", "_", text)[:100]
     if plain == text:
         return text

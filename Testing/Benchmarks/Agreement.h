@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief do the peers draw the same picture?
+ * @brief check that the peers render the same picture
  */
 #ifndef Agreement_h
 #define Agreement_h
@@ -11,8 +11,8 @@
 
 #include <map>
 
-/// The fraction of bytes by which a peer's picture differs from Lambent's by more than
-/// 2, by "embree/single" and so on. Writes the pictures as PNG to a folder, if one is given.
+/// The fraction of bytes that differ from Lambent's picture by more than 2, for each peer
+/// ("embree/single" and so on). Writes the pictures as PNG files if a folder is given.
 std::map<std::string, double> comparePictures(
   Peers& peers, bool withEmbree, bool withOpenGL, const std::string& folder);
 

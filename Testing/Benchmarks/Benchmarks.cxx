@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief all contests of one scene, in one process, in turn
+ * @brief run all contests of one scene in one process, in turn
  *
- * Each contest is run once to warm up, which also tells how many repetitions the time
- * that is to be spent allows. A repetition is one more run to warm up, unless that would
- * take long, and one that counts. Google Benchmark puts the repetitions of all contests
- * into random order, so that whatever else the machine does meets all of them alike.
+ * Each contest runs once to warm up; the time of this run determines the number of
+ * repetitions. A repetition consists of another warm-up run, unless that would take long,
+ * and a timed run. Google Benchmark runs the repetitions of all contests in random order,
+ * so that other work on the machine affects all of them equally.
  */
 #include "Agreement.h"
 #include "Memory.h"
@@ -27,7 +27,7 @@ namespace
 constexpr int nothingToDo = 77; ///< the exit status of a scene whose file is missing
 constexpr double tooLongToWarmUp = 0.4;
 
-/// For who reads the file of --benchmark_out.
+/// Prints nothing, for --quiet: the results are in the file of --benchmark_out.
 class SilentReporter : public benchmark::BenchmarkReporter
 {
 public:

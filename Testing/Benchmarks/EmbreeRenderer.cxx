@@ -135,7 +135,7 @@ double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping)
     this->build(quality);
   }
   RTCScene tree = internal.trees[static_cast<int>(quality)];
-  this->Picture = nullptr; // Giving back the last image is not this picture's.
+  this->Picture = nullptr; // Freeing the last image does not count.
   const Stopwatch stopwatch;
   this->Picture = vtkSmartPointer<vtkImageData>::New();
   this->Picture->SetDimensions(internal.width, internal.height, 1);

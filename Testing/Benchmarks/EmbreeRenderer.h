@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the same picture by Embree: build a tree, trace the rays, shade the hits
+ * @brief render the same picture with Embree: build a tree, trace the rays, shade the hits
  *
- * What is done so that the peer is at its best:
+ * Embree gets the best conditions:
  *
- * - Points as floats and corners as 32-bit integers lie ready, padded as Embree wants
- *   them, and are shared with it, not copied. Converting them is not timed.
+ * - Float points and 32-bit corners are prepared in advance, padded as Embree requires,
+ *   and shared with it without a copy. The conversion is not timed.
  * - Trees of all three qualities (low is the Morton-code builder, high splits
  *   triangles), no robust flag, no compact trees, no filters.
- * - Rays go in tiles of 16 x 16 pixels; one at a time, in packets as wide as the
- *   machine's vectors (16 or 8 rays, blocks of pixels) or whole tiles as streams; all
- *   are said to be coherent. Tiles are shared out by Embree's own thread pool, TBB's.
- * - Denormals are flushed to zero, as Embree's manual advises.
- * - Shading in float, for as many hits at a time as the vectors hold, compiled for
- *   this very machine with -ffast-math.
+ * - Rays are traced in tiles of 16 x 16 pixels: one at a time, in packets as wide as the
+ *   machine's vectors (blocks of 16 or 8 pixels), or as streams of a whole tile. All are
+ *   flagged coherent. Embree's own thread pool, TBB's, distributes the tiles.
+ * - Denormals are flushed to zero, as Embree's manual recommends.
+ * - Shading uses floats, for as many hits at a time as the vectors hold, and is compiled
+ *   for this machine with -ffast-math.
  */
 #ifndef EmbreeRenderer_h
 #define EmbreeRenderer_h
@@ -36,7 +36,7 @@ enum class TreeQuality
 enum class RayGrouping
 {
   Single,      ///< rtcIntersect1
-  Packets,     ///< rtcIntersect16, or 8 where vectors are not that wide
+  Packets,     ///< rtcIntersect16, or rtcIntersect8 for narrower vectors
   Stream,      ///< rtcIntersect1M, a tile at a time
   PacketStream ///< rtcIntersectNM, a tile of packets at a time
 };
@@ -54,18 +54,18 @@ public:
   explicit EmbreeRenderer(const BenchmarkScene& scene);
   ~EmbreeRenderer();
 
-  /// Seconds for a tree, from nothing. It replaces the last one of that quality.
+  /// The seconds to build a tree from scratch. It replaces the last one of that quality.
   double build(TreeQuality quality);
 
-  /// Forget a tree; give back its memory.
+  /// Free a tree.
   void release(TreeQuality quality);
 
-  /// Seconds from that tree to the bytes of a newly allocated image.
+  /// The seconds from that tree to the bytes of a newly allocated image.
   double trace(TreeQuality quality, RayGrouping grouping);
 
   vtkImageData* picture() { return this->Picture; }
 
-  /// Of a packet.
+  /// The number of rays in a packet.
   int raysAtOnce() const;
 
 private:

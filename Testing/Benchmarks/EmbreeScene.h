@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a scene in the numbers that suit Embree best
+ * @brief a scene in the data types that suit Embree best
  */
 #ifndef EmbreeScene_h
 #define EmbreeScene_h
@@ -17,7 +17,7 @@ struct Float3
   float x, y, z;
 };
 
-/// Triples, and four numbers more: Embree loads 16 bytes a triple.
+/// Triples, padded with four more numbers: Embree loads 16 bytes per triple.
 struct EmbreeMesh
 {
   explicit EmbreeMesh(vtkPolyData* polyData);
@@ -29,7 +29,7 @@ struct EmbreeMesh
   std::vector<std::uint32_t> corners;
 };
 
-/// View with floats; the light as seen from the eye.
+/// View in floats, with the light relative to the eye.
 struct EmbreeView
 {
   explicit EmbreeView(const View& view);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a tile of pixels traced by Embree and shaded
+ * @brief trace a tile of pixels with Embree, and shade it
  *
- * The pixels of a tile are cut into blocks of N, four wide, each of which is a packet
- * of rays. Whichever way the rays are handed to Embree, the hits end up in packets and
- * are shaded packet by packet, in loops that the compiler turns into vectors.
+ * The pixels of a tile are divided into blocks of N, four wide; each block is a packet
+ * of rays. However Embree receives the rays, the hits end up in packets and are shaded
+ * packet by packet, in loops that the compiler vectorizes.
  */
 #ifndef EmbreeTile_h
 #define EmbreeTile_h
@@ -25,7 +25,7 @@
 #include <cstring>
 #include <limits>
 
-/// As long as it lives, this thread takes denormals for zero.
+/// While this object exists, its thread treats denormals as zero.
 class FlushDenormals
 {
 public:
@@ -181,7 +181,7 @@ void EmbreeTile<N>::trace(RTCScene tree, RayGrouping grouping)
   }
 }
 
-/// From packets to rays one by one.
+/// Copy the rays from packets to single rays.
 template <int N>
 void EmbreeTile<N>::scatter()
 {
@@ -202,7 +202,7 @@ void EmbreeTile<N>::scatter()
   }
 }
 
-/// What shading wants, back into the packets.
+/// Copy what shading needs back into the packets.
 template <int N>
 void EmbreeTile<N>::gather()
 {
@@ -223,7 +223,7 @@ void EmbreeTile<N>::gather()
 }
 
 //------------------------------------------------------------------------------
-/// Shade, if anything is hit, and write the pixels, if they are in the image.
+/// Shade the packet if it has hits, and write the pixels that lie in the image.
 template <int N>
 void EmbreeTile<N>::finish(const Packet& packet, int i, int j) const
 {
@@ -241,7 +241,7 @@ void EmbreeTile<N>::finish(const Packet& packet, int i, int j) const
   const int rows = std::min(blockHeight, this->Height - j);
   for (int row = 0; row < rows; ++row)
   {
-    // Four grey pixels as twelve bytes, the first in the lowest.
+    // Four grey pixels as twelve bytes, the first in the lowest byte.
     std::uint64_t pixel[blockWidth];
     for (int k = 0; k < blockWidth; ++k)
     {

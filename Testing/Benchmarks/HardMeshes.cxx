@@ -13,7 +13,7 @@ namespace
 {
 using Triple = std::array<double, 3>;
 
-/// The same numbers on every platform, which the standard's distributions do not promise.
+/// Random numbers, the same on every platform, which the standard's distributions do not guarantee.
 class Random
 {
 public:
@@ -45,7 +45,7 @@ Triple faceNormal(const Triple& a, const Triple& b, const Triple& c)
   return { n[0] / length, n[1] / length, n[2] / length };
 }
 
-/// A triangle with points of its own.
+/// Adds a triangle with its own points.
 void addFacet(MeshArrays& mesh, const Triple& a, const Triple& b, const Triple& c)
 {
   const Triple normal = faceNormal(a, b, c);
@@ -55,7 +55,7 @@ void addFacet(MeshArrays& mesh, const Triple& a, const Triple& b, const Triple& 
   mesh.addTriangle(last - 2, last - 1, last);
 }
 
-/// count small facets round a point, within radius.
+/// Adds `count` small facets around the origin, within `radius` on each axis.
 void addCloud(MeshArrays& mesh, Random& random, std::size_t count, double radius, double size)
 {
   for (std::size_t k = 0; k < count; ++k)
@@ -154,7 +154,7 @@ vtkSmartPointer<vtkPolyData> makeOnePixel()
 {
   Random random;
   MeshArrays mesh;
-  // Two far facets give the mesh its bounds; a pixel is about 0.003 wide then.
+  // Two distant facets give the mesh its bounds, so that a pixel is about 0.003 wide.
   addFacet(mesh, { -1, -1, -1 }, { -0.9, -1, -1 }, { -1, -0.9, -1 });
   addFacet(mesh, { 1, 1, 1 }, { 0.9, 1, 1 }, { 1, 0.9, 1 });
   addCloud(mesh, random, 1000000, 0.001, 0.0005);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief meshes that a tree of triangles is good at and a stream of them is not, or
- * whose work is hard to share out; and meshes of many pieces
+ * @brief meshes that suit a tree of triangles but not a stream of them, or whose work is hard
+ * to balance; and meshes of many pieces
  */
 #ifndef HardMeshes_h
 #define HardMeshes_h
@@ -11,23 +11,23 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-/// 64 layers one behind the other, 8192 triangles each, in random order. A tree stops
-/// at the first layer it meets.
+/// 64 layers behind each other, of 8192 triangles each, in random order. A tree stops at the
+/// first layer that a ray hits.
 vtkSmartPointer<vtkPolyData> makeLayers();
 
-/// 2,000 triangles from one side to the other, each narrower than a pixel.
+/// 2,000 triangles from side to side, each narrower than a pixel.
 vtkSmartPointer<vtkPolyData> makeNeedles();
 
 /// A million triangles whose projections share one pixel.
 vtkSmartPointer<vtkPolyData> makeOnePixel();
 
-/// Ten million small triangles anywhere in a cube, in any order, no point shared.
+/// Ten million small triangles at random places in a cube, without shared points.
 vtkSmartPointer<vtkPolyData> makeSoup();
 
-/// A million small facets, and one triangle before half of them.
+/// A million small facets, half of them behind one large triangle.
 vtkSmartPointer<vtkPolyData> makeCurtain();
 
-/// Two million facets that fall between the rays, and in the end 2,000 large ones.
+/// Two million facets that fall between the rays, then 2,000 large ones.
 vtkSmartPointer<vtkPolyData> makeLate();
 
 /// 100,000 triangles in a cube, no point shared.

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a small scene drawn once by the core on one thread, for callgrind to count
+ * @brief render a small scene once with the core on one thread, for callgrind to count
  *
- *     LambentInstructions NAME     draws the scene of that name
+ *     LambentInstructions NAME     renders the scene of that name
  *     LambentInstructions          prints the names
  *
- * Only measuredRender() is to be counted: --toggle-collect=measuredRender.
+ * Count only measuredRender(): --toggle-collect=measuredRender.
  */
 #include "Render.h"
 
@@ -49,7 +49,7 @@ struct SmallScene
   std::int64_t pointCount() const { return static_cast<std::int64_t>(this->points.size() / 3); }
 };
 
-/// A wavy disc-like sheet of 2 n^2 triangles that fills most of the image.
+/// Adds a wavy disc-like sheet of 2 n^2 triangles that fills most of the image.
 void addSheet(SmallScene& scene, int n, double z)
 {
   const std::int64_t first = scene.pointCount();
@@ -157,7 +157,7 @@ int main(int argc, char** argv)
   image.height = small.height;
   image.part = { 0, small.width, 0, small.height };
   image.bytes = bytes.data();
-  lambent::render(scene, image); // The first picture also chooses the kernels.
+  lambent::render(scene, image); // The first picture also selects the kernels.
   measuredRender(scene, image);
   return EXIT_SUCCESS;
 }

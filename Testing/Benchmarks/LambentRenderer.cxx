@@ -18,7 +18,7 @@ LambentRenderer::LambentRenderer(const BenchmarkScene& scene)
 
 double LambentRenderer::render()
 {
-  this->Filter->GetOutput()->Initialize(); // Giving back the last image is not this picture's.
+  this->Filter->GetOutput()->Initialize(); // Freeing the last image does not count.
   this->Filter->Modified();
   const Stopwatch stopwatch;
   this->Filter->Update();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief vtkLambentRayTracer against the clock, and vtkLambentNormals with its peers
+ * @brief time vtkLambentRayTracer, and vtkLambentNormals with its peers
  */
 #ifndef LambentRenderer_h
 #define LambentRenderer_h
@@ -17,8 +17,8 @@ class LambentRenderer
 public:
   explicit LambentRenderer(const BenchmarkScene& scene);
 
-  /// Seconds from the mesh in memory to the bytes of a newly allocated image. The filter
-  /// is told that all has changed, so it cannot but make the picture.
+  /// The seconds from the mesh in memory to the bytes of a newly allocated image. The filter is
+  /// modified before, so it must render.
   double render();
 
   vtkImageData* picture() { return this->Filter->GetOutput(); }
@@ -34,10 +34,10 @@ enum class NormalsFilter
   TriangleMeshPoint ///< vtkTriangleMeshPointNormals
 };
 
-/// Seconds that a filter takes for the point normals of a mesh without.
+/// The seconds that a filter takes to compute the point normals of a mesh without any.
 double computeNormals(NormalsFilter filter, vtkPolyData* meshWithoutNormals);
 
-/// The points and triangles of a mesh, shared with it, without its normals.
+/// A mesh that shares the points and triangles of another, without its normals.
 vtkSmartPointer<vtkPolyData> withoutNormals(vtkPolyData* mesh);
 
 #endif

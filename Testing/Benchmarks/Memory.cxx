@@ -26,7 +26,7 @@ double status(const std::string& name)
 double peakMemory(const Contest& contest, double imageBytes)
 {
   malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5"; // Forget the peak of making the mesh.
+  std::ofstream("/proc/self/clear_refs") << "5"; // Reset the peak that making the mesh has left.
   const double before = status("VmRSS");
   contest.run();
   return status("VmHWM") - before - imageBytes;

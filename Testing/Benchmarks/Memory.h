@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how much memory a contest takes at its peak
+ * @brief the peak memory of a contest
  */
 #ifndef Memory_h
 #define Memory_h
 
 #include "Peers.h"
 
-/// Bytes of resident memory that running it once adds at the peak, of which imageBytes are
-/// the image's and not counted. Meaningful once a process, before anything else is run.
+/// The bytes by which running a contest once increases resident memory at the peak, minus
+/// imageBytes for the image. Meaningful once per process, before anything else runs.
 double peakMemory(const Contest& contest, double imageBytes);
 
 #endif

@@ -56,7 +56,7 @@ void write(vtkPolyData* mesh, const std::string& path)
   }
 }
 
-/// Points, triangles and point normals alone.
+/// Returns only points, triangles and point normals.
 vtkSmartPointer<vtkPolyData> contourWave(int half)
 {
   vtkNew<vtkRTAnalyticSource> source;
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkPolyData> contourWave(int half)
 
 using Triple = std::array<double, 3>;
 
-/// The ball's surface over the unit square [-1, 1]^2 of a cube's face.
+/// A point on the ball over the point (u, v) in the square [-1, 1]^2 of a cube's face.
 Triple onBall(int face, double u, double v)
 {
   constexpr double eighth = 0.7853981633974483; // of a full turn
@@ -186,7 +186,7 @@ vtkSmartPointer<vtkPolyData> makeWave(int half, const std::string& cache)
 
 vtkSmartPointer<vtkPolyData> makeBumps(std::size_t triangles)
 {
-  // Six square faces of a cube, n by n by two triangles each, blown up into a ball.
+  // The six faces of a cube, with n x n x 2 triangles each, inflated to a ball.
   const int n = std::max(1, static_cast<int>(std::lround(std::sqrt(triangles / 12.0))));
   MeshArrays mesh;
   for (int face = 0; face < 6; ++face)

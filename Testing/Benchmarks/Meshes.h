@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief ordinary meshes: read, contoured, and of any number of triangles
+ * @brief ordinary meshes: from files, contoured, and with any number of triangles
  */
 #ifndef Meshes_h
 #define Meshes_h
@@ -14,11 +14,11 @@
 #include <string>
 #include <vector>
 
-/// Triangles as they are made, before they are polydata.
+/// Triangles under construction, before conversion to polydata.
 struct MeshArrays
 {
   std::vector<float> points;
-  std::vector<float> normals; ///< none: those of the triangles around each point
+  std::vector<float> normals; ///< if empty, computed from the triangles around each point
   std::vector<vtkIdType> corners;
 
   vtkIdType addPoint(const std::array<double, 3>& point);
@@ -27,14 +27,14 @@ struct MeshArrays
   vtkSmartPointer<vtkPolyData> toPolyData();
 };
 
-/// A PLY file with point normals added; nullptr if there is no such file.
+/// Reads a PLY file and adds point normals. Returns nullptr if there is no such file.
 vtkSmartPointer<vtkPolyData> readMesh(const std::string& path);
 
-/// The isosurface 120 of vtkRTAnalyticSource over the extent +-half in each direction,
-/// waves in proportion, by vtkFlyingEdges3D. Kept in the cache, as it takes a minute.
+/// The isosurface at 120 of vtkRTAnalyticSource over the extent +-half in each direction, with
+/// waves in proportion, from vtkFlyingEdges3D. It takes a minute, so it is kept in the cache.
 vtkSmartPointer<vtkPolyData> makeWave(int half, const std::string& cache);
 
-/// A bumpy ball of nearly the given number of nearly equal triangles.
+/// A bumpy ball with about this number of triangles of nearly equal size.
 vtkSmartPointer<vtkPolyData> makeBumps(std::size_t triangles);
 
 #endif

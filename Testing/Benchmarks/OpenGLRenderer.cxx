@@ -40,7 +40,7 @@ std::string OpenGLRenderer::device()
 //------------------------------------------------------------------------------
 double OpenGLRenderer::first()
 {
-  this->Window = nullptr; // Closing the last window is not this picture's.
+  this->Window = nullptr; // Closing the last window does not count.
   this->Renderer = nullptr;
   this->Picture = nullptr;
   const Stopwatch stopwatch;
@@ -88,7 +88,7 @@ void OpenGLRenderer::open()
 
 void OpenGLRenderer::load()
 {
-  vtkNew<vtkPolyData> mesh; // New to the mapper, yet nothing is copied.
+  vtkNew<vtkPolyData> mesh; // New to the mapper, without a copy.
   mesh->ShallowCopy(this->Scene.mesh);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);

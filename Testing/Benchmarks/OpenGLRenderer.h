@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the same picture by VTK's OpenGL renderer
+ * @brief render the same picture with VTK's OpenGL renderer
  *
- * Needs an X server. The pixels are read back, since the peers give an image too.
+ * Needs an X server. The pixels are read back, since the peers output an image, too.
  */
 #ifndef OpenGLRenderer_h
 #define OpenGLRenderer_h
@@ -18,24 +18,24 @@
 class OpenGLRenderer
 {
 public:
-  /// False without an X server.
+  /// Whether there is an X server.
   static bool isAvailable();
 
   explicit OpenGLRenderer(const BenchmarkScene& scene);
 
-  /// Seconds for the first picture that a program makes: a window of its own with its
-  /// context and shaders, and a mesh that OpenGL has not seen before.
+  /// The seconds for the first picture of a program: with a new window, context and shaders, and
+  /// a mesh that is new to OpenGL.
   double first();
 
-  /// Seconds for a mesh that it has not seen before in a window that is there.
+  /// The seconds for a new mesh in the existing window.
   double newMesh();
 
-  /// Seconds for the same mesh again.
+  /// The seconds for the same mesh again.
   double next();
 
   vtkImageData* picture() { return this->Picture; }
 
-  /// Who draws: "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The device, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
   std::string device();
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief who draws a scene, and what of it is timed
+ * @brief the renderers of a scene, and what is timed
  *
  * The contests of a scene are
  *
@@ -10,13 +10,13 @@
  *     embree/build/QUALITY          low, medium, high
  *     embree/trace/QUALITY/RAYS     single, packets, stream, packet-stream
  *     opengl/first                  the first frame, with its window; needs an X server
- *     opengl/new-mesh               that of another mesh in the same window
+ *     opengl/new-mesh               another mesh in the same window
  *     opengl/next                   the same mesh again
  *     normals/FILTER                vtkLambentNormals and its peers
  *     surfaces/inputs               vtkLambentRayTracer with each piece of the mesh as an input
  *     surfaces/one, surfaces/many   the core with the mesh as one surface, each piece as one
  *
- * and all but those of OpenGL once more on one thread, "1-thread/" before the name.
+ * and all but those of OpenGL also on one thread, with the prefix "1-thread/".
  */
 #ifndef Peers_h
 #define Peers_h
@@ -34,16 +34,16 @@
 struct Contest
 {
   std::string name;
-  std::function<double()> run; ///< once; gives the seconds that count
+  std::function<double()> run; ///< runs once and returns the timed seconds
 };
 
-/// All peers of a scene. A peer is made when it is first asked for.
+/// All peers of a scene. Each is created on first use.
 class Peers
 {
 public:
   explicit Peers(const BenchmarkScene& scene);
 
-  /// Those whose names match a regular expression as a whole.
+  /// The contests whose whole name matches a regular expression.
   std::vector<Contest> contests(const std::string& regex);
 
   LambentRenderer& lambent();

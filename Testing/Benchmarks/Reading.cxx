@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how long the command takes to read a file, beside VTK's reader
+ * @brief compare the reading times of the command and of VTK
  *
- * VTK's reader and the surface filter on one side, ReadSurface() on the other, in turn, so that
- * whatever else the machine does meets both. The files are in the system's cache by then. Medians,
- * their ratio, and that of the fastest runs, which other work on the machine disturbs less. A file
- * is marked if both ratios are above the goal.
+ * VTK's reader with the surface filter, and ReadSurface(), run in turn, so that other work on the
+ * machine affects both. The files are in the system's cache. Prints the medians, their ratio, and
+ * the ratio of the fastest runs, which other work disturbs less. A file is marked if both ratios
+ * exceed the goal.
  *
  *   LambentReading --data=FOLDER --cache=FOLDER [--files=REGEX] [--runs=N]
  */
@@ -67,7 +67,7 @@ ReadingOptions takeReadingOptions(int argc, char** argv)
   return options;
 }
 
-/// Milliseconds of one side.
+/// The milliseconds of one of the two.
 struct Times
 {
   explicit Times(std::vector<double> values)
@@ -93,7 +93,7 @@ bool compare(const ReadingFile& file, int runs)
 {
   std::vector<double> times[2];
   vtkIdType polygons[2] = {};
-  for (int run = 0; run <= runs; ++run) // the first one does not count
+  for (int run = 0; run <= runs; ++run) // the first run does not count
   {
     for (int side : { run % 2, 1 - run % 2 })
     {

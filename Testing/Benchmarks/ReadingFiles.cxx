@@ -29,7 +29,7 @@
 
 namespace
 {
-/// Geometry alone, so that nothing else takes the time.
+/// Only geometry, so that nothing else takes time.
 vtkSmartPointer<vtkPolyData> makePolygons(const std::string& data)
 {
   vtkSmartPointer<vtkPolyData> mesh = readMesh(data + "/dragon.ply");
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> makePolygons(const std::string& data)
   return mesh;
 }
 
-/// Each cube of a lattice as six tetrahedra round its diagonal.
+/// A lattice of cubes, each divided into six tetrahedra around its diagonal.
 vtkSmartPointer<vtkUnstructuredGrid> makeTetrahedra()
 {
   constexpr int cubes = 55;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief large meshes in files of every kind and encoding that VTK writes
+ * @brief large meshes in files of every format and encoding that VTK writes
  */
 #ifndef ReadingFiles_h
 #define ReadingFiles_h
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-/// A file, and how VTK alone gets its surface.
+/// A file, and how to read its surface with VTK only.
 struct ReadingFile
 {
   std::string name; ///< such as "dragon, .vtp, appended base64"
@@ -22,9 +22,9 @@ struct ReadingFile
   std::function<vtkSmartPointer<vtkPolyData>(const std::string& path)> readWithVtk;
 };
 
-/// Writes those files to the folder that are not there yet. The polygons are those of dragon.ply
-/// in the folder of data, or of a ball as large if there is none; the tetrahedra, about a million,
-/// are those of a box.
+/// Writes the files that do not exist yet to the cache folder. The polygons are from dragon.ply in
+/// the data folder, or from an equally large ball if it is missing. The tetrahedra, about a
+/// million, fill a box.
 std::vector<ReadingFile> makeReadingFiles(const std::string& data, const std::string& cache);
 
 #endif

@@ -102,7 +102,7 @@ void adjust(const std::string& name, BenchmarkScene& scene)
   }
   else if (name == "layers" || name == "needles")
   {
-    // Seen face on, and wider than the image.
+    // From the front, and wider than the image.
     double center[3];
     scene.camera->GetFocalPoint(center);
     scene.camera->SetPosition(center[0], center[1], center[2] + scene.camera->GetDistance());

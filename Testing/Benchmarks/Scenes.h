@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what is drawn: a mesh, a camera, one point light, a size
+ * @brief the scenes: a mesh, a camera, one point light, a size
  *
- * The camera looks from the direction (0.4, 0.3, 1) at the centre of the mesh, its
- * bounding sphere just in view. Everything that a peer needs to draw the same
- * picture is in View, in plain numbers.
+ * The camera looks from the direction (0.4, 0.3, 1) at the centre of the mesh; the
+ * bounding sphere is just in view. View holds all that a peer needs to render the same
+ * picture, as plain numbers.
  */
 #ifndef Scenes_h
 #define Scenes_h
@@ -47,14 +47,14 @@ struct BenchmarkScene
   View view() const;
 };
 
-/// The names of the fixed scenes. Besides there are "bumps-T" for a mesh of about T
-/// triangles, and any name followed by "@WIDTHxHEIGHT" for another size.
+/// The names of the fixed scenes. There is also "bumps-T", a mesh of about T triangles. Any name
+/// can be followed by "@WIDTHxHEIGHT" for another size.
 std::vector<std::string> sceneNames();
 
 /**
- * Make a scene. data: the folder of bunny.ply and dragon.ply; cache: a folder for
- * meshes that take long to make. Throws std::invalid_argument if there is no scene
- * of that name, SceneMissing if it needs a file that is not there.
+ * Make a scene. data: the folder with bunny.ply and dragon.ply; cache: a folder for
+ * meshes that are slow to make. Throws std::invalid_argument if there is no scene
+ * of that name, and SceneMissing if a file that it needs is missing.
  */
 void makeScene(const std::string& name, const std::string& data, const std::string& cache,
   BenchmarkScene& scene);

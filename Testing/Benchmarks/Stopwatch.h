@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-/// Real time since it was made.
+/// Measures the wall-clock time since its construction.
 class Stopwatch
 {
 public:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how many threads the peers have
+ * @brief limit the threads of the peers
  */
 #ifndef ThreadLimit_h
 #define ThreadLimit_h
@@ -13,7 +13,7 @@
 
 #include <string>
 
-/// As long as it lives, VTK and TBB (with it Embree) have at most that many threads.
+/// While this object exists, VTK and TBB, and so Embree, use at most that many threads.
 class ThreadLimit
 {
 public:
@@ -27,8 +27,8 @@ private:
   const tbb::global_control Control;
 };
 
-/// As long as it lives, VTK has one thread. Its number of TBB threads is left alone:
-/// after it was 1 once, not all threads take part again at once.
+/// While this object exists, VTK uses one thread. VTK's number of TBB threads is not changed: after
+/// a limit of 1, not all threads return to work immediately.
 class SequentialVtk
 {
 public:

@@ -46,9 +46,9 @@ class Series:
 
 
 class LogAxis:
-    """From values to places between two ends, which are powers of ten."""
+    """Maps values to positions on an axis whose ends are powers of ten."""
 
-    NEARLY = 0.02  # of a decade: what is so near to a power does not need another decade
+    NEARLY = 0.02  # of a decade: values so close to a power do not need another decade
 
     def __init__(self, values, begin, end):
         self.low = math.floor(min(map(math.log10, values)) + self.NEARLY)
@@ -63,7 +63,7 @@ class LogAxis:
         return range(self.low, self.high + 1)
 
     def between(self):
-        """Two to nine of each decade."""
+        """The multiples two to nine in each decade."""
         return [digit * 10.0**k for k in self.decades()[:-1] for digit in range(2, 10)]
 
 
@@ -126,7 +126,7 @@ class Panel:
 
 
 def legend(series, y, width):
-    """Two rows of samples and names."""
+    """Line samples and labels in two rows."""
     columns = (len(series) + 1) // 2
     parts = []
     for k, one in enumerate(series):
@@ -137,7 +137,7 @@ def legend(series, y, width):
 
 
 def page(panels, note):
-    """All panels beside each other with one legend: they have the same series."""
+    """All panels side by side with one legend, since they have the same series."""
     width, height = WIDTH * len(panels), HEIGHT + LEGEND + NOTE
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '

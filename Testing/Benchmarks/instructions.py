@@ -30,7 +30,7 @@ def compiler():
 
 
 def count(program, scene, target):
-    """Instructions that measuredRender() executes."""
+    """The number of instructions that measuredRender() executes."""
     with tempfile.TemporaryDirectory() as folder:
         command = ["valgrind", "--tool=callgrind", "--toggle-collect=measuredRender"]
         command += [f"--callgrind-out-file={folder}/out", program, scene]
@@ -51,7 +51,7 @@ def measure(program):
 
 
 def compare(kept, counts):
-    """Print a table; the number of counts that have changed."""
+    """Print a table. Returns the number of counts that are new or beyond the tolerance."""
     changed = 0
     print(f"{'target':8}{'scene':12}{'kept':>14}{'now':>14}{'change':>9}")
     for target, scenes in counts.items():

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and counts the instructions of a few small pictures, which
+# Installs missing packages, builds, and counts the instructions of a few small pictures. The counts
 # must be within 2 % of those in instructions.json:
 #   sh Testing/Benchmarks/instructions.sh [--update]
 set -eu

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and reads large files of every kind with VTK and with the
+# Installs missing packages, builds, and reads large files of every format with VTK and with the
 # command's functions, in turn:
 #   sh Testing/Benchmarks/reading.sh [--files=REGEX] [--runs=N]
 set -eu

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables: medians, ratios to the peers, and which goals are missed."""
+"""The tables: medians, ratios to the peers, and missed goals."""
 
 import json
 import pathlib
@@ -12,7 +12,7 @@ MAY_DIFFER = 0.005
 
 
 def table(header, rows):
-    """Markdown with aligned columns; the first column to the left."""
+    """A Markdown table with aligned columns; the first column is aligned left."""
     rows = [[str(cell) for cell in row] for row in rows]
     widths = [max(len(row[k]) for row in [header, *rows]) for k in range(len(header))]
 
@@ -34,14 +34,14 @@ def ms(time):
 
 
 class Tally:
-    """Marks ratios with their goals and counts those that are missed."""
+    """Marks ratios that miss their goals, and counts them."""
 
     def __init__(self):
         self.goals = 0
         self.missed = []
 
     def ratio(self, what, peer, ours, goal):
-        """A cell: the ratio, and a mark if there is a goal and it is missed."""
+        """A table cell: the ratio, with a mark if it misses its goal."""
         if peer is None or ours is None:
             return "-"
         return f"{peer / ours:.1f}" + self._mark(what, peer / ours >= goal if goal else None)
@@ -177,7 +177,7 @@ def further_table(scenes, tally):
 
 
 def agreement(scenes):
-    """One sentence on whether all drew the same picture, and where not."""
+    """A sentence on whether all peers render the same picture, and which do not."""
     far = [
         f"{scene.name}, {peer}: {100 * part:.2f} %"
         for scene in scenes

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the benchmarks measured, out of Google Benchmark's JSON."""
+"""The measurements, from Google Benchmark's JSON."""
 
 import json
 import os
@@ -12,7 +12,7 @@ QUALITIES = ("low", "medium", "high")
 
 
 def spread(times):
-    """Half of the range of the middle half, as a part of the median."""
+    """Half the interquartile range, as a fraction of the median."""
     if len(times) < 3:
         return 0.0
     quarters = statistics.quantiles(times, n=4, method="inclusive")
@@ -21,7 +21,7 @@ def spread(times):
 
 @dataclass
 class Scene:
-    """Times in milliseconds of each contest, all repetitions."""
+    """The times in milliseconds of all repetitions of each contest."""
 
     name: str
     triangles: int
@@ -57,7 +57,7 @@ class Scene:
         )
 
     def median(self, contest):
-        """None if it was not run."""
+        """The median of a contest; None if it was not run."""
         return statistics.median(self.times[contest]) if contest in self.times else None
 
     def spread(self, contest):
@@ -67,13 +67,13 @@ class Scene:
         return self.median(f"{prefix}embree/build/{quality}")
 
     def best_trace(self, quality, prefix=""):
-        """The fastest way to trace a tree of that quality, and its time; (None, None) if none."""
+        """The fastest way to trace a tree of that quality, and its time; (None, None) if not run."""
         start = f"{prefix}embree/trace/{quality}/"
         found = {name[len(start) :]: self.median(name) for name in self.times if name.startswith(start)}
         return min(found.items(), key=lambda item: item[1]) if found else (None, None)
 
     def total(self, quality, prefix=""):
-        """Embree's build and best trace; None if not run."""
+        """The time of Embree's build plus its best trace; None if not run."""
         build, (_, trace) = self.build(quality, prefix), self.best_trace(quality, prefix)
         return None if build is None or trace is None else build + trace
 
@@ -84,7 +84,7 @@ class Scene:
         return min(known.items(), key=lambda item: item[1]) if known else (None, None)
 
     def fastest_trace(self):
-        """The smallest of all traces, whatever its tree cost, and what it was."""
+        """The fastest of all traces, whatever the cost of its tree, and which it was."""
         found = []
         for quality in QUALITIES:
             grouping, trace = self.best_trace(quality)
@@ -94,7 +94,7 @@ class Scene:
 
 
 def machine():
-    """What the report says about the machine."""
+    """The machine's description for the report."""
     model = platform.processor() or platform.machine()
     with open("/proc/cpuinfo", encoding="utf-8") as lines:
         for line in lines:

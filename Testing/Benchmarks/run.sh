@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and runs Lambent and its peers side by side:
+# Installs missing packages, builds, and runs Lambent and its peers side by side:
 #   sh Testing/Benchmarks/run.sh            everything; about twenty minutes
 #   sh Testing/Benchmarks/run.sh --quick    the goals, in a minute
 # Further options: see suite.py.
@@ -16,7 +16,7 @@ install_missing
 configure_benchmarks
 compile --target LambentBenchmarks
 
-# A screen for VTK's OpenGL, which Mesa's llvmpipe draws on two threads.
+# A screen for VTK's OpenGL; Mesa's llvmpipe renders on two threads.
 screen="$build/screen"
 : >"$screen"
 Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$screen" >"$build/xvfb.log" 2>&1 &

@@ -27,7 +27,7 @@ CONTESTS = (
 
 
 def series_of(scene):
-    """Name of each curve to its milliseconds."""
+    """The milliseconds of each curve, by name."""
     return {
         "lambent": scene.median("lambent"),
         "lambent, 1 thread": scene.median("1-thread/lambent"),

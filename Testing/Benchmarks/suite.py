@@ -35,9 +35,9 @@ HARD_SCENES = [
     "dragon-uhd",
 ]
 
-SURFACE_SCENES = ["spheres", "facets"] # of many surfaces
+SURFACE_SCENES = ["spheres", "facets"]  # of many surfaces
 
-# What matters for the goals, without what has never won in a run of everything.
+# The contests that matter for the goals, without those that have never won in a full run.
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"
@@ -45,7 +45,7 @@ NORMALS = "normals/.*"
 
 
 class Suite:
-    """Runs the program of the benchmarks."""
+    """Runs the benchmark program."""
 
     def __init__(self, build, data, quick):
         self.program = build / "bin" / "LambentBenchmarks"
@@ -59,7 +59,7 @@ class Suite:
         )
 
     def time(self, name, contests):
-        """All contests of a scene; None if its file is missing."""
+        """Run all contests of a scene. Returns None if its file is missing."""
         file = self.results / f"{name}.json"
         run = self._run(
             f"--scene={name}",
@@ -73,7 +73,7 @@ class Suite:
         return None if run is None else Scene.read(file)
 
     def memory(self, name, contest):
-        """Megabytes that a contest takes at its peak, beyond mesh and image."""
+        """The peak megabytes of a contest, beyond mesh and image."""
         run = self._run(f"--scene={name}", f"--memory={contest}")
         return None if run is None else float(run) / 1e6
 
@@ -102,7 +102,7 @@ def contests_of(name, quick):
 
 
 def measure(suite, names, quick):
-    """The scenes that there are, with their figures of memory."""
+    """Measure the scenes whose files exist, including their memory."""
     scenes = []
     for name in names:
         start = time.monotonic()
@@ -122,7 +122,7 @@ def measure(suite, names, quick):
 
 
 def keep(results):
-    """Copy the report and the curves into this folder, for its README."""
+    """Copy the report and the curves to this folder, for its README."""
     for name in ("report.md", "scaling.json", "scaling.svg"):
         if (results / name).exists():
             shutil.copy(results / name, HERE / name)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief small files of every kind, to be broken, and what the command reads from them
+ * @brief small files of every format for tests to damage, and what the command reads from them
  */
 #ifndef BrokenFiles_h
 #define BrokenFiles_h
@@ -13,18 +13,18 @@
 struct File
 {
   std::string name;      ///< what is special about it
-  std::string extension; ///< tells the kind, as to the command
+  std::string extension; ///< determines the format, as for the command
   std::string bytes;
 };
 
-/// Meshes and pictures as VTK's writers make them, in every format and with every compressor, and
-/// those made by hand.
+/// Meshes and pictures from VTK's writers, in every format and with every compressor, and those of
+/// MakeFilesByHand().
 std::vector<File> MakeFiles();
 
-/// What VTK's writers do not write: lines, groups, strips, and so on.
+/// Files that VTK's writers cannot produce: with lines, groups, strips, and so on.
 std::vector<File> MakeFilesByHand();
 
-/// A file in the working folder while it lives.
+/// A file in the working folder. The destructor deletes it.
 class Scratch
 {
 public:
@@ -39,8 +39,8 @@ public:
   const std::string path;
 };
 
-/// What was read: the size and coordinates of each polygon or the values of a picture, after what
-/// was drawn of it; or why not.
+/// The result of reading: the size and coordinates of each polygon and strip, or the values of a
+/// picture; or the reason for the failure.
 struct Content
 {
   std::vector<double> values;
@@ -48,7 +48,7 @@ struct Content
   std::string failure;
 };
 
-/// Writes the bytes to the file and has the command read it.
+/// Writes the bytes to the file, and reads it as the command does. Also renders a mesh.
 Content Read(const Scratch& scratch, const std::string& bytes);
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what a reader of the command makes of a file with given bytes
+ * @brief run a reader of the command on a file with given bytes
  */
 #ifndef ReadFrom_h
 #define ReadFrom_h
@@ -31,10 +31,10 @@ struct Outcome
 {
   vtkSmartPointer<vtkPolyData> mesh; ///< null if the reader failed
   std::string failure;
-  std::string warnings; ///< one a line
+  std::string warnings; ///< one per line
 };
 
-/// Calls read(path, progress) with a file of these bytes. Point data must have the right length.
+/// Calls read(path, progress) with a file of these bytes. Expects point data of the right length.
 template <typename Reader>
 Outcome ReadFrom(Reader&& read, const std::string& bytes)
 {

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-/// An image of these values, or of zeros.
+/// An image of these values, padded with zeros.
 template <typename T>
 vtkSmartPointer<vtkImageData> values(
   int width, int height, int components, const std::vector<double>& list = {})
@@ -38,7 +38,7 @@ struct Change
   int x, y, channel, value;
 };
 
-/// A picture in which every channel is 100 but for these changes.
+/// A picture whose channels are all 100, except for these changes.
 inline vtkSmartPointer<vtkImageData> grey(
   int width, int height, const std::vector<Change>& changes = {})
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief all ways to ask for a comparison, and inputs that fail
+ * @brief all ways to request a comparison, and inputs that fail
  */
 #ifndef ComparisonRequests_h
 #define ComparisonRequests_h
@@ -31,10 +31,10 @@ enum Failure
 {
   NONE,
   INFORMATION,
-  DATA // VTK takes no notice of a failure in between, at RequestUpdateExtent()
+  DATA // VTK ignores a failure between these, at RequestUpdateExtent()
 };
 
-/// Makes a grey picture, or passes on that of its input, unless it fails in one of the passes.
+/// Makes a grey picture, or copies its input, and can fail in one of the passes.
 class Stage : public vtkImageAlgorithm
 {
 public:
@@ -76,7 +76,7 @@ private:
 };
 vtkStandardNewMacro(Stage);
 
-/// Takes two pictures and gives the first.
+/// Has two inputs and outputs the first.
 class Pair : public vtkImageAlgorithm
 {
 public:
@@ -96,7 +96,7 @@ vtkStandardNewMacro(Pair);
 
 using Request = std::function<void(vtkLambentImageComparison*)>;
 
-/// All ways to ask for a comparison.
+/// All ways to request a comparison.
 inline const std::vector<std::pair<const char*, Request>>& requests()
 {
   static const int whole[6] = { 0, 3, 0, 2, 0, 0 }, part[6] = { 1, 2, 0, 1, 0, 0 };

@@ -7,7 +7,7 @@
 
 #include <random>
 
-/// Seeded, and the same everywhere: the standard's generators are portable, its
+/// Seeded random numbers, the same on every platform: the standard's generators are portable, its
 /// distributions are not.
 class RandomNumbers
 {

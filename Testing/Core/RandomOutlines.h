@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief random plane outlines: simple ones, and what makes them touch themselves
+ * @brief random plane outlines: simple ones, and changes that make them touch themselves
  *
  * Coordinates are multiples of 2^-16, so that the middle of an edge lies exactly on it.
  */
@@ -19,8 +19,8 @@ struct PlanePoint
   double x, y;
 };
 
-/// The closed outline of a plane region; corner k has the id ids[k]. A corner that is
-/// named again has the id that it had, or a new one.
+/// The closed outline of a plane region; corner k has the id ids[k]. A repeated corner can have the
+/// same id or a new one.
 struct Outline
 {
   std::vector<PlanePoint> corners;
@@ -30,9 +30,9 @@ struct Outline
   std::size_t size() const { return this->corners.size(); }
   const PlanePoint& after(std::size_t k) const { return this->corners[(k + 1) % this->size()]; }
 
-  /// Half of the sum of the cross products of its corners (the shoelace formula).
+  /// Half the sum of the cross products of consecutive corners (the shoelace formula).
   double area() const;
-  /// How often it runs round a point.
+  /// The winding number about a point.
   int winding(const PlanePoint& p) const;
 
   void insert(std::size_t at, const PlanePoint& corner, int id);
@@ -43,24 +43,24 @@ struct Outline
 /// Twice the signed area of a triangle.
 double cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c);
 
-/// Corners at random distances in all directions.
+/// An outline with corners at random distances in all directions.
 Outline makeStar(RandomNumbers& random, int size);
-/// Random points of a small grid, joined so that no two edges meet.
+/// An outline of random points of a small grid, without intersecting edges.
 Outline makeMaze(RandomNumbers& random, int size);
 
-/// Name some corner once more, and maybe again.
+/// Repeat a random corner, once or twice.
 void doubleCorner(Outline& outline, RandomNumbers& random);
-/// A corner in the middle of an edge.
+/// Insert a corner in the middle of an edge.
 void splitEdge(Outline& outline, RandomNumbers& random);
-/// An edge to somewhere and back, inside or outside, of one or more pieces.
+/// Insert an edge to a random point, inside or outside, and back. It can be split on the way there.
 void addSpike(Outline& outline, RandomNumbers& random);
-/// Back along an edge, and forth again.
+/// Insert a detour: back along an edge, and forward again.
 void addDetour(Outline& outline, RandomNumbers& random);
-/// A hole, with a slit from a corner to it.
+/// Insert a hole, with a slit from a corner to it.
 void addHole(Outline& outline, RandomNumbers& random);
-/// A hole that touches a corner.
+/// Insert a hole that touches a corner.
 void addTouchingHole(Outline& outline, RandomNumbers& random);
-/// The same from another corner on, and maybe the other way round.
+/// Rotate the outline to start at another corner, and maybe reverse it.
 void turnRound(Outline& outline, RandomNumbers& random);
 
 #endif

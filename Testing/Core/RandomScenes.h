@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief seeded random scenes of every kind that ray tracers stumble over
+ * @brief seeded random scenes of the kinds that trip up ray tracers
  */
 #ifndef RandomScenes_h
 #define RandomScenes_h
@@ -31,10 +31,10 @@ struct RandomScene
   lambent::Scene scene;
 };
 
-/// How many kinds of geometry there are; the seed's remainder chooses one.
+/// The number of kinds of geometry; the remainder of the seed selects one.
 constexpr int randomSceneKinds = 10;
 
-/// The scene of a seed: always the same, on every platform.
+/// The scene for a seed, the same on every platform.
 RandomScene makeRandomScene(unsigned int seed);
 
 #endif

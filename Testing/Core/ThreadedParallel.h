@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-/// A thread for each worker.
+/// Runs each worker in its own thread.
 class ThreadedParallel : public lambent::Parallel
 {
 public:

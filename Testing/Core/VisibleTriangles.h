@@ -7,7 +7,7 @@
 
 #include <vector>
 
-/// The triangle, or none, that each pixel of an image of side x side shows.
+/// The triangle that each pixel of an image of side x side pixels shows, or none.
 inline std::vector<std::uint32_t> visibleTriangles(
   const lambent::Scene& scene, int side, const lambent::Settings& settings)
 {

@@ -18,22 +18,22 @@ struct PolygonMesh
   std::vector<Vec3> points;
   std::vector<std::vector<std::int64_t>> faces;
 
-  // All faces once more, the other way round.
+  // All faces, and each once more in reverse.
   PolygonMesh doubled() const;
-  // As in a mirror: the other half of space, with the faces running the other way round.
+  // The mirror image, with reversed faces.
   PolygonMesh mirrored() const;
 };
 
-// Polygons of random points near to each other, some of them named twice, flat, or opposite.
+// Polygons of random points close to each other; some name points twice, are flat, or opposite.
 PolygonMesh makeRandomPolygons(unsigned int seed);
-// A closed surface: a ball of triangles, dented at random by up to that part of its radius.
+// A closed surface: a ball of triangles, dented at random by up to this fraction of its radius.
 PolygonMesh makeDentedBall(unsigned int seed, double dent);
-// A square sheet of n x n quads of height z(x, y) over [-1, 1] x [-1, 1].
+// A square sheet of n x n quads at height z(x, y) over [-1, 1] x [-1, 1].
 PolygonMesh makeSheet(int n, double (*z)(double x, double y));
 // The unit cube: point i has the coordinates of the bits of i.
 PolygonMesh makeCubeOfQuads();
 
-// The normal at each corner of each face, three floats a corner.
+// The normal at each corner of each face, three floats per corner.
 std::vector<float> referenceCornerNormals(const PolygonMesh& mesh, double featureAngle);
 
 enum class MeshStorage
@@ -42,7 +42,7 @@ enum class MeshStorage
   Wide    // doubles and 64-bit ids
 };
 
-// The same as computed: at corners that have no number of their own, the point's.
+// The same, from computeCornerNormals().
 std::vector<float> computedCornerNormals(const PolygonMesh& mesh, double featureAngle,
   MeshStorage storage, const lambent::Parallel& parallel);
 

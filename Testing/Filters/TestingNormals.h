@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the tests of vtkLambentNormals share: meshes, the definition of the normals
+// Shared by the tests of vtkLambentNormals: meshes, the definition of the normals
 // as a plain serial loop, and a listener for messages.
 #ifndef TestingNormals_h
 #define TestingNormals_h
@@ -27,24 +27,24 @@ double dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);
 Vector unit(const Vector& a);
 
-// A mesh of double points and polygons.
+// A mesh of polygons with double points.
 vtkSmartPointer<vtkPolyData> makeMesh(
   const std::vector<Vector>& points, const std::vector<Face>& polygons);
 
-// The unit cube of six quads that share eight points; outward normals.
+// The unit cube: six quads that share eight points and face outwards.
 vtkSmartPointer<vtkPolyData> makeCube();
 
 struct RandomMeshOptions
 {
   unsigned int seed = 1;
   int points = 3000;
-  int cells = 4000; // as many of each kind
+  int cells = 4000; // of each kind
   bool floatPoints = true;
   bool use64BitCells = true;
 };
 
 // Vertices, lines, triangles, quads, polygons and strips of random points, some of
-// them named twice.
+// which appear twice in a cell.
 vtkSmartPointer<vtkPolyData> makeRandomMesh(const RandomMeshOptions& options);
 
 // The polygons, then the triangles of the strips.
@@ -52,13 +52,13 @@ std::vector<Face> facesOf(vtkPolyData* mesh);
 
 Vector pointOf(vtkPolyData* mesh, vtkIdType point);
 
-// The unit normal of a face of at least three corners; zero if it has no area.
+// The unit normal of a face with at least three corners; zero if it has no area.
 Vector faceNormal(vtkPolyData* mesh, const Face& face);
 
 // An array of 0, 1, 2 and so on.
 vtkSmartPointer<vtkIntArray> makeNumbers(const char* name, vtkIdType count);
 
-// Three floats a point: the definition in vtkLambentNormals' documentation.
+// Three floats per point, by the definition in the documentation of vtkLambentNormals.
 std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting);
 
 std::vector<float> valuesOf(vtkDataArray* array);
@@ -68,7 +68,7 @@ Vector tupleOf(vtkDataArray* array, vtkIdType i);
 void expectNear(const Vector& value, const Vector& expected, double tolerance);
 
 // Collects the errors and warnings of an algorithm instead of printing them. Must
-// outlive what the algorithm does.
+// outlive all updates of the algorithm.
 class Messages
 {
 public:

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the bytes of a fuzzer as choices and numbers
+ * @brief interpret the bytes of a fuzzer as choices and numbers
  *
- * Each question takes its bytes from the front, so that a changed byte changes one
- * answer, and bytes put in or left out change what comes after them. Where no bytes are
- * left every answer is zero. What a corpus file means depends on this file and its
- * target alone, whichever compiler or version of libFuzzer is there.
+ * Each call consumes bytes from the front. So a changed byte changes one value, and inserted
+ * or removed bytes change the values after them. When no bytes are left, every value is zero.
+ * The meaning of a corpus file depends only on this file and its target, not on the compiler
+ * or the version of libFuzzer.
  */
 #ifndef FuzzInput_h
 #define FuzzInput_h
@@ -20,7 +20,7 @@
 #include <cstring>
 #include <limits>
 
-/// Ends the process, as a crash would, if something does not hold.
+/// Aborts the process, like a crash, if a condition does not hold.
 inline void require(bool holds, const char* what)
 {
   if (!holds)
@@ -42,9 +42,9 @@ public:
   bool empty() const { return this->At == this->End; }
   std::uint8_t byte() { return this->empty() ? std::uint8_t{ 0 } : *this->At++; }
   bool flag() { return (this->byte() & 1) != 0; }
-  /// One byte's answer to a question with at most 256 of them: 0 to count - 1.
+  /// A number from 0 to count - 1, from one byte; count is at most 256.
   int choice(int count) { return this->byte() % count; }
-  /// Seldom: only if the byte is one of `cases` out of 256.
+  /// True for `cases` of the 256 values of a byte.
   bool seldom(int cases = 8) { return this->byte() > 255 - cases; }
 
   template <typename T>
@@ -58,10 +58,10 @@ public:
     return value;
   }
 
-  /// In [low, high], in 255 steps.
+  /// A number in [low, high], in 255 steps.
   double within(double low, double high) { return low + (high - low) * (this->byte() / 255.0); }
 
-  /// Any double at all, but often one that matters.
+  /// Any double, but often a critical value.
   double number()
   {
     using Limits = std::numeric_limits<double>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief any vtkPolyData at all, from the bytes of a fuzzer
+ * @brief make arbitrary vtkPolyData from the bytes of a fuzzer
  */
 #ifndef FuzzMesh_h
 #define FuzzMesh_h
@@ -16,17 +16,17 @@
 class vtkAlgorithm;
 class vtkPolyData;
 
-/// Points of any type, all four kinds of cells, of 32 and 64 bits, right or wrong; point and
+/// Points of any type; all four kinds of cells with 32-bit or 64-bit ids, valid or not; point and
 /// cell data of any length and type.
 vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input);
 
-/// Counts the errors of an algorithm. Whatever VTK prints is silenced from the first on.
+/// Counts the errors of an algorithm. The first instance silences all output of VTK.
 class ErrorCount
 {
 public:
   explicit ErrorCount(vtkAlgorithm* algorithm);
 
-  int errors = 0; ///< the algorithm's own and its executive's
+  int errors = 0; ///< those of the algorithm and of its executive
 };
 
 #endif

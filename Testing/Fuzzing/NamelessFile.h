@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the bytes of a fuzz target as a file that readers can open
+ * @brief make the bytes of a fuzz target a file that readers can open
  */
 #ifndef NamelessFile_h
 #define NamelessFile_h
@@ -14,7 +14,7 @@
 #include <memory>
 #include <string>
 
-/// A file without a name that is gone when it is closed.
+/// A temporary file without a name, deleted when it is closed.
 class NamelessFile
 {
 public:

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the backends that this vtkSMPTools was built with
+ * @brief the backends that vtkSMPTools was built with
  *
- * But for TBB under the thread sanitizer: TBB's library, which is not compiled with it, hands
- * the work over, and all that a worker touches then looks like a race.
+ * TBB is omitted under the thread sanitizer. Its library, which distributes the work, is not
+ * compiled with the sanitizer, so every memory access of a worker would look like a race.
  */
 #ifndef Backends_h
 #define Backends_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the meshes of the tests, with double points
+ * @brief meshes for tests, with double points
  */
 #ifndef Meshes_h
 #define Meshes_h
@@ -95,8 +95,8 @@ inline Mesh makeBox(double a, double b, double c)
       { 4, 5, 7, 6 } });
 }
 
-/// The mantle of a cylinder of n facets round the y axis, radius 1, |y| <= 1. Edge k
-/// stands at angle 2 pi k / n from z towards x. Point normals point outwards.
+/// The lateral surface of a cylinder of n facets around the y axis, radius 1, |y| <= 1. Edge k
+/// lies at angle 2 pi k / n from z towards x. Point normals point outwards.
 inline Mesh makeCylinder(int n)
 {
   std::vector<Vec> points, normals;
@@ -116,7 +116,7 @@ inline Mesh makeCylinder(int n)
   return mesh;
 }
 
-/// A sphere of radius 1 of triangles, closed, with its exact normals; n along a
+/// A closed sphere of triangles, radius 1, with its exact normals; n intervals along a
 /// meridian, 2n along the equator.
 inline Mesh makeSphere(int n)
 {
@@ -153,7 +153,8 @@ inline Mesh makeSphere(int n)
   return mesh;
 }
 
-/// n x n squares of side 1, each cut in two, with the points at whole numbers.
+/// n x n unit squares, each divided into two triangles, with points at integer offsets from
+/// (x0, y0).
 inline Mesh makeGrid(int n, double x0, double y0)
 {
   std::vector<Vec> points;

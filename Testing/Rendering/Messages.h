@@ -20,8 +20,8 @@
 class Messages
 {
 public:
-  /// Observes the filter for as long as it lives; also silences what its executive
-  /// says ("Algorithm ... returned failure").
+  /// Observes the filter until this object is destroyed. Also collects the messages of its
+  /// executive ("Algorithm ... returned failure").
   explicit Messages(vtkAlgorithm* filter)
   {
     collect(this->OnError, this->Errors);
@@ -33,7 +33,7 @@ public:
   }
   ~Messages()
   {
-    // The commands may live longer than what they write to.
+    // The commands can outlive this object.
     this->OnError->SetCallback(nullptr);
     this->OnWarning->SetCallback(nullptr);
     this->OnExecutive->SetCallback(nullptr);
@@ -65,7 +65,7 @@ private:
   vtkNew<vtkCallbackCommand> OnError, OnWarning, OnExecutive;
 };
 
-/// One message, with all of these parts in it.
+/// Expects exactly one message, which contains all of these parts.
 inline void expectMessage(
   const std::vector<std::string>& messages, const std::vector<std::string>& parts)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief pictures as tests look at them: pixel by pixel, and bit for bit
+ * @brief pictures for tests, compared pixel by pixel and bit by bit
  */
 #ifndef Picture_h
 #define Picture_h
@@ -21,7 +21,7 @@
 #include <limits>
 #include <string>
 
-/// GLM's own arithmetic, on purpose another one than that of the module.
+/// Uses GLM's arithmetic, deliberately different from the module's.
 using Vec = glm::dvec3;
 
 class Picture
@@ -49,7 +49,7 @@ public:
     return color;
   }
 
-  /// The bits of a row from pixel i0 up to, not including, i1.
+  /// The bits of the pixels [i0, i1) of a row.
   std::string bits(int i0, int i1, int j) const
   {
     const int pixel = 3 * this->colors()->GetDataTypeSize();
@@ -66,7 +66,7 @@ public:
     return all;
   }
 
-  /// How many pixels are of a colour; -1 in an empty picture.
+  /// The number of pixels of a colour; -1 in an empty picture.
   int count(const Vec& color) const
   {
     int pixels = this->empty() ? -1 : 0;
@@ -95,7 +95,8 @@ inline Picture render(vtkLambentRayTracer* tracer)
   return Picture(tracer->GetOutput());
 }
 
-/// For EXPECT_PRED_FORMAT2: the same size and bits; if not, the first pixel that differs.
+/// For EXPECT_PRED_FORMAT2: expects the same size and bits, and reports the first pixel that
+/// differs.
 inline testing::AssertionResult sameBits(
   const char* nameA, const char* nameB, const Picture& a, const Picture& b)
 {

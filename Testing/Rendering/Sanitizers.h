@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether the tests are built with the address or the thread sanitizer
+ * @brief whether this build uses the address or the thread sanitizer
  */
 #ifndef Sanitizers_h
 #define Sanitizers_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a ray tracer with a camera, and the rays of that camera by trigonometry
+ * @brief a ray tracer with a camera, and this camera's rays from trigonometry
  */
 #ifndef Studio_h
 #define Studio_h
@@ -24,8 +24,8 @@ struct Ray
   Vec origin, direction;
 };
 
-/// The light model, once more, for one light: rho_d, rho_a, the light that arrives,
-/// the vector to the light, the normal.
+/// An independent implementation of the light model for one light: rho_d, rho_a, the arriving
+/// light, the vector to the light, the normal.
 inline Vec reflected(
   const Vec& diffuse, const Vec& ambient, const Vec& light, const Vec& s, const Vec& m)
 {
@@ -33,7 +33,7 @@ inline Vec reflected(
   return diffuse * light * std::max(0.0, cosine) + ambient * light;
 }
 
-/// A light of a white scene light's kind, at a place, aimed at another.
+/// A scene light at a position, aimed at a focal point.
 inline vtkSmartPointer<vtkLight> makeLight(
   const Vec& position, const Vec& focalPoint, const Vec& color = Vec(1.0), bool positional = false)
 {
@@ -53,8 +53,8 @@ struct Studio
   vtkNew<vtkCamera> camera;
   vtkNew<vtkProperty> property;
 
-  /// Float output; a camera at (0, 0, 5) that looks at the origin; a background
-  /// that nothing else has the colour of.
+  /// Sets float output, a camera at (0, 0, 5) that looks at the origin, and a background colour
+  /// that nothing else can have.
   explicit Studio(int width = 32, int height = 24)
   {
     this->tracer->SetImageSize(width, height);
@@ -96,7 +96,7 @@ struct Studio
   }
   Vec up() const { return glm::cross(this->right(), this->forward()); }
 
-  /// Half the width and height of the view: at distance 1, or in a parallel view.
+  /// Half the width and height of the view; at distance 1 in a perspective view.
   glm::dvec2 halfView() const
   {
     const double aspect = static_cast<double>(this->width()) / this->height();
@@ -121,7 +121,7 @@ struct Studio
       : Ray{ this->position(), this->forward() + across };
   }
 
-  /// Where a point is seen, in pixels from the lower left corner.
+  /// The image position of a point, in pixels from the lower left corner.
   glm::dvec2 project(const Vec& point) const
   {
     const Vec d = point - this->position();

@@ -37,7 +37,7 @@ void BodySurface::setPoints(const Body& body)
   this->Result.points = this->points();
 }
 
-// As in polydata: triangles are used where they are, all else is cut.
+// As for polydata: a list of triangles is used in place, all other cells are triangulated.
 void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
 {
   this->Offsets64.push_back(0);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a body as a surface of the core's scene, without VTK
+ * @brief convert a body to a surface of the core, without VTK
  */
 #ifndef BodySurface_h
 #define BodySurface_h
@@ -25,18 +25,18 @@ public:
 
   const lambent::Surface& surface() const { return this->Result; }
 
-  /// What vtkLambentNormals computes for the body; one a point.
+  /// The normals that vtkLambentNormals computes for the body, one per point.
   std::vector<Vec3> pointNormals(lambent::Weighting how, const lambent::Parallel& parallel) const;
 
-  /// What vtkLambentRayTracer computes for the body, one a corner, is what it has from now on.
+  /// Sets the normals that vtkLambentRayTracer computes for the body, one per corner.
   void computeNormals(const lambent::Parallel& parallel);
 
-  /// The body with those normals at points that no two corners share, strips as triangles: its
-  /// cells can then go any way.
+  /// The body with these normals and a separate point for each corner; strips become triangles. Its
+  /// cells can then be shuffled.
   Body withOwnCorners(const Body& body, const lambent::Parallel& parallel) const;
 
 private:
-  /// Polygons, and the triangles of strips.
+  /// Polygons, or the triangles of strips.
   struct BodyFaces
   {
     lambent::MergedFaces merged;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing by the core alone.
+// Rendering with the core only.
 #include "BodySurface.h"
 #include "Drawing.h"
 #include "Render.h"
@@ -17,7 +17,7 @@ bool lacksNormals(const Body& body)
   return body.appearance.shading == lambent::Shading::Smooth && body.pointNormals.empty();
 }
 
-/// Bodies as surfaces, with the normals that smooth ones without any get.
+/// Converts bodies to surfaces, and computes normals for smooth ones without them.
 std::vector<std::unique_ptr<BodySurface>> surfacesOf(
   std::vector<Body> bodies, unsigned int shuffle, const lambent::Parallel& parallel)
 {
@@ -44,7 +44,7 @@ std::vector<std::unique_ptr<BodySurface>> surfacesOf(
   return surfaces;
 }
 
-/// As vtkRenderer::ResetCamera() does, from the default direction.
+/// The camera of vtkRenderer::ResetCamera(), in the default direction.
 lambent::Camera framed(
   const Stage& stage, const lambent::Scene& scene, const lambent::Parallel& parallel)
 {

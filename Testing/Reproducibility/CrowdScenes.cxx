@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Many triangles, or many in the same place.
+// Scenes with many triangles, or with many in the same place.
 #include "Scenes.h"
 
 namespace
@@ -53,7 +53,7 @@ SceneList crowdScenes()
       [](Stage& s)
       {
         RandomNumbers random(6);
-        s.size(97, 73); // with a ray in the middle
+        s.size(97, 73); // with a ray through the middle
         s.daylight();
         s.add(scaled(soup(random, 30000, 0.5), Vec3(0.01))).flat();
       } },
@@ -104,7 +104,7 @@ SceneList crowdScenes()
     { "crowd-almost-coincident-faces",
       [](Stage& s)
       {
-        s.hasTies = true; // where two depths round to the same number
+        s.hasTies = true; // some depths round to the same number
         RandomNumbers random(9);
         s.daylight();
         for (int k = 0; k < 6; ++k)
@@ -129,7 +129,7 @@ SceneList crowdScenes()
     { "crowd-grid-on-the-rays",
       [](Stage& s)
       {
-        s.hasTies = true; // points and edges are met exactly
+        s.hasTies = true; // rays hit points and edges exactly
         s.size(64, 48);
         s.daylight();
         s.add(scaled(square(64), Vec3(32.0))).flat();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief draw a stage
+ * @brief render a stage
  *
- * Two programs are linked, with one implementation each: the core alone, which also
- * runs where there is no VTK, and the VTK filters. Both must give the same bits.
+ * Each of two programs links one implementation: the core, which also runs without VTK, or
+ * the VTK filters. Both must give the same bits.
  */
 #ifndef Drawing_h
 #define Drawing_h
@@ -15,22 +15,22 @@
 
 #include <string>
 
-/// Ways to make the same picture.
+/// A way to render a picture; all must give the same bits.
 struct Manner
 {
-  /// 0: as many as there are.
+  /// 0: all that the machine has.
   int threads = 0;
-  /// Of vtkSMPTools; empty: its own choice.
+  /// The backend of vtkSMPTools; empty: its default.
   std::string backend;
-  /// Each part of the image by itself.
+  /// Render each part of the image separately.
   bool inParts = false;
-  /// Not 0: the seed that shuffles cells and inputs, and splits inputs in several.
+  /// Unless 0: a seed for shuffling cells and inputs, and for splitting inputs.
   unsigned int shuffle = 0;
-  /// Every triangle against every ray, without vectors.
+  /// Test every triangle against every ray, without vectors.
   bool byBruteForce = false;
 };
 
-/// Rows from the bottom, three channels a pixel.
+/// The bottom row first, three channels per pixel.
 struct Picture
 {
   Picture() = default;
@@ -47,16 +47,16 @@ struct Picture
   std::vector<unsigned char> bytes;
 };
 
-/// Throws std::runtime_error where this program cannot draw in that manner.
+/// Throws std::runtime_error if this program cannot render in that manner.
 Picture draw(const Stage& stage, const Manner& manner);
 
-/// The backends of threads that this program has.
+/// The threading backends of this program.
 std::vector<std::string> backendsHere();
 
-/// The windows that the image is drawn in: all of it, or parts of uneven sizes.
+/// The windows of the image to render: the whole, or parts of uneven sizes.
 std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner);
 
-/// Copies a part into its place in the whole.
+/// Copies a part to its place in the whole image.
 template <typename Channel>
 void paste(
   const Channel* part, const lambent::Window& window, int width, std::vector<Channel>& whole)
@@ -68,8 +68,8 @@ void paste(
   }
 }
 
-/// The body with its cells in another order and dealt out to one to three bodies, and
-/// the bodies in another order. Computed normals stay those of the whole.
+/// The bodies in random order, each with its cells shuffled and divided among one to three bodies.
+/// Compute normals first, since those of the parts would differ from those of the whole.
 std::vector<Body> shuffled(const std::vector<Body>& bodies, unsigned int seed);
 
 #endif

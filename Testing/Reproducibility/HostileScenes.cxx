@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What renderers stumble over: thin, tiny, huge, far away, behind the eye, no number.
+// Scenes that trip up renderers: thin, tiny, huge, far away, behind the eye, NaN.
 #include "Scenes.h"
 
 #include <limits>
@@ -11,7 +11,7 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double denormal = std::numeric_limits<double>::denorm_min();
 
-/// A ball and its lights, all as large as this and as far from the origin as that.
+/// A ball and its lights, scaled to a size and moved from the origin.
 void ballOfSize(Stage& s, double size, const Vec3& from = Vec3(0.0))
 {
   s.sun({ -1.0, -2.0, -1.5 }, { 0.75, 0.7, 0.6 });
@@ -32,7 +32,7 @@ Shape around(RandomNumbers& random, int count)
   return shape;
 }
 
-/// Soup with one coordinate of every third triangle replaced.
+/// A soup in which one coordinate of every third triangle is replaced.
 void spoilt(Stage& s, unsigned int seed, const std::vector<double>& values)
 {
   RandomNumbers random(seed);
@@ -53,7 +53,7 @@ void thin(Stage& s, unsigned int seed, double width)
   s.add(needles(random, 500, width)).flat();
 }
 
-/// A triangle along each column of rays, up to a few ulps wide, some of them none.
+/// A triangle along each column of rays, at most a few ulps wide; some have zero width.
 void sliversOnRays(Stage& s)
 {
   RandomNumbers random(13);
@@ -95,7 +95,7 @@ SceneList hostileScenes()
         Body& body = s.add(ball(3));
         body.shape.points[17].x = notANumber;
         body.shape.points[40].y = infinity;
-        body.shape.points.push_back(Vec3(notANumber)); // used by none
+        body.shape.points.push_back(Vec3(notANumber)); // not used by any cell
       } },
     { "hostile-needles", [](Stage& s) { thin(s, 5, 1e-2); } },
     { "hostile-slivers", [](Stage& s) { thin(s, 6, 1e-4); } },
@@ -190,7 +190,7 @@ SceneList hostileScenes()
     { "hostile-lost-far-away",
       [](Stage& s)
       {
-        s.hasTies = true; // of what is left of the points
+        s.hasTies = true; // points collapse by rounding
         ballOfSize(s, 1.0, { 1e15, -1e15, 3e15 });
       } },
     { "hostile-normals-that-are-none",
@@ -208,7 +208,7 @@ SceneList hostileScenes()
       {
         s.daylight();
         Body& body = s.add(star(3)).flat();
-        // Of two points, of one, of none; with points named twice; crossing itself.
+        // With two points, one, none; with repeated points; self-intersecting.
         body.shape.cells.insert(body.shape.cells.end(),
           { { 0, 1 }, { 2 }, {}, { 3, 3, 4, 4, 5 }, { 0, 6, 3, 9 }, { 7, 1, 7, 2, 7 } });
       } },

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the scenes into files, in one manner of many; scenes.py hashes and compares them.
+// Renders the scenes to files in a given manner; scenes.py hashes and compares them.
 #include "Drawing.h"
 #include "PictureFile.h"
 #include "Scenes.h"
@@ -28,7 +28,7 @@ struct Command
   bool listsManners = false;
 };
 
-/// False if the words make no sense.
+/// Parses the command line. Returns false if it is invalid.
 bool read(int argc, char** argv, Command& command)
 {
   for (int k = 1; k < argc; ++k)

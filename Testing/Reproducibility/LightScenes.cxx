@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lights of every kind, and what they do with a material.
+// Scenes with lights of every kind, on different materials.
 #include "Scenes.h"
 
 using lambent::AmbientModel;
 
 namespace
 {
-/// Hills that lights shine on from above (+z).
+/// Hills, lit from above (+z).
 Body& land(Stage& s)
 {
   s.look({ 1.5, -2.0, 2.5 }, Vec3(0.0), { 0.0, 0.0, 1.0 });

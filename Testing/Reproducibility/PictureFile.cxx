@@ -25,7 +25,7 @@ std::string sizeOf(const Picture& picture)
   return std::to_string(picture.width) + " " + std::to_string(picture.height);
 }
 
-/// The least significant byte first, which the scale of -1 tells readers.
+/// The least significant byte first; the scale of -1 declares this byte order.
 std::string pfm(const Picture& picture)
 {
   std::string content = "PF\n" + sizeOf(picture) + "\n-1.0\n";
@@ -41,7 +41,7 @@ std::string pfm(const Picture& picture)
   return content;
 }
 
-/// This format has its rows from the top.
+/// This format has the top row first.
 std::string ppm(const Picture& picture)
 {
   std::string content = "P6\n" + sizeOf(picture) + "\n255\n";

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief pictures as files whose bytes are the picture's
+ * @brief write pictures to files without changing their bits
  *
- * PFM (floats) and PPM (bytes): a line of header and the channels as they are, so
- * that what differs can be looked at with any viewer.
+ * PFM (floats) and PPM (bytes) have a header and the unchanged channels, and many viewers
+ * can show them when pictures differ.
  */
 #ifndef PictureFile_h
 #define PictureFile_h
 
 #include "Drawing.h"
 
-/// DIRECTORY/NAME.pfm and DIRECTORY/NAME.ppm. Throws std::runtime_error.
+/// Writes DIRECTORY/NAME.pfm and DIRECTORY/NAME.ppm. Throws std::runtime_error on failure.
 void writePicture(const Picture& picture, const std::string& directory, const std::string& name);
 
 #endif

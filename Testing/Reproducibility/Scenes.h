@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the scenes whose pictures must be the same bits everywhere
+ * @brief the scenes whose pictures must have the same bits everywhere
  *
- * To add one, write an entry in the file that it belongs to, and take its hashes into
- * the list with `scenes.py --update` (see there).
+ * To add one, write an entry in the appropriate file, and add its hashes to the list with
+ * `scenes.py --update`.
  */
 #ifndef Scenes_h
 #define Scenes_h
@@ -17,7 +17,7 @@
 
 struct SceneEntry
 {
-  std::string name; ///< of its files, too
+  std::string name; ///< also of its files
   std::function<void(Stage&)> build;
 };
 
@@ -30,7 +30,7 @@ SceneList surfaceScenes();
 SceneList crowdScenes();
 SceneList hostileScenes();
 
-/// All of these.
+/// All scenes of these lists.
 SceneList allScenes();
 
 #endif

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a scene as it is written down once and drawn by either face, core and VTK
+ * @brief a scene that both the core and the VTK filters can render
  *
- * Bodies hold cells as polydata does, before anything is cut into triangles and
- * before normals are computed, so that this work is a part of what is compared.
+ * Bodies hold cells as polydata does, before triangulation and before normals are
+ * computed, so that these steps are compared, too.
  */
 #ifndef Stage_h
 #define Stage_h
@@ -16,25 +16,25 @@
 #include "Scene.h"
 #include "Triangulation.h"
 
-/// One input of the ray tracer. Smooth, with computed normals, unless told otherwise.
+/// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
 {
   Shape shape;
   lambent::CellKind kind = lambent::CellKind::Polygons;
   bool hasFloatPoints = false;
   bool has32BitIds = false;
-  std::vector<Vec3> pointNormals; ///< one a point, or none
-  std::vector<Vec3> cellNormals;  ///< one a cell, or none
+  std::vector<Vec3> pointNormals; ///< one per point, or none
+  std::vector<Vec3> cellNormals;  ///< one per cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
   lambent::Appearance appearance;
 
-  /// Diffuse colour, which is also the plain one, and ambient colour.
+  /// Sets the diffuse colour, which is also the plain one, and the ambient colour.
   Body& paint(const Vec3& diffuse, const Vec3& ambient = Vec3(0.0));
   Body& flat();
   Body& unlit();
-  /// As shaded by angle, area, ... when the normals are computed.
+  /// Sets the weighting of computed normals.
   Body& weigh(lambent::Weighting how);
-  /// The points themselves are the normals, as on a ball.
+  /// Makes each point its own normal, as on a ball.
   Body& round();
   Body& floats();
   Body& strips();
@@ -45,18 +45,18 @@ struct Stage
   int width = 96, height = 72;
   int samples = 1; ///< along each axis of a pixel
   std::vector<Body> bodies;
-  /// Camera, lights and backgrounds; its surfaces are made of the bodies.
+  /// Camera, lights and backgrounds; the surfaces are made from the bodies.
   lambent::Scene scene;
-  /// Draw with the default view direction and all bodies in view.
+  /// Use the default view direction, with all bodies in view.
   bool isFramed = false;
-  /// Faces lie in the same place, or meet exactly on a ray: which of them is seen is
-  /// a matter of their order.
+  /// Whether faces coincide, or meet exactly on a ray: then their order decides which of them is
+  /// visible.
   bool hasTies = false;
 
-  /// The camera at (2, 1.5, 4), looking at the origin.
+  /// Sets the camera at (2, 1.5, 4), looking at the origin.
   Stage();
 
-  /// The reference is good until the next one is added.
+  /// The reference is valid until the next call.
   Body& add(const Shape& shape);
 
   void size(int w, int h);
@@ -65,9 +65,9 @@ struct Stage
 
   lambent::Light& sun(const Vec3& direction, const Vec3& color = Vec3(1.0));
   lambent::Light& lamp(const Vec3& position, const Vec3& color = Vec3(1.0));
-  /// A cone of light round a direction.
+  /// A cone of light around a direction.
   lambent::Light& spot(const Vec3& position, const Vec3& direction, double angle, double exponent);
-  /// A sun and a lamp, of two colours.
+  /// Adds a sun and a lamp of different colours.
   void daylight();
 };
 

@@ -108,7 +108,7 @@ vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera)
 
 vtkSmartPointer<vtkLight> toLight(const lambent::Light& light)
 {
-  // A direction alone is told from the origin, so that it stays as it is.
+  // A directional light starts at the origin, so that its direction stays exact.
   const Vec3 from = light.positional ? light.position : Vec3(0.0);
   const bool isCone = light.positional && light.coneAngle < 90.0;
   const Vec3 at = from + light.direction;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what stands on a stage, as VTK's objects
+ * @brief convert the contents of a stage to VTK's objects
  */
 #ifndef StageToVTK_h
 #define StageToVTK_h
@@ -20,14 +20,14 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);
 
-/// Throws std::runtime_error if VTK, which has two points and no direction, cannot
-/// tell it exactly.
+/// VTK stores a direction as two points. Throws std::runtime_error if the direction of a cone would
+/// be rounded.
 vtkSmartPointer<vtkLight> toLight(const lambent::Light& light);
 
-/// A light that is switched off; without any the ray tracer takes a headlight.
+/// A light that is switched off; without any lights the ray tracer would use a headlight.
 vtkSmartPointer<vtkLight> noLight();
 
-/// By vtkLambentNormals; one a point.
+/// The normals from vtkLambentNormals, one per point.
 std::vector<Vec3> computeNormals(const Body& body);
 
 #endif

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Kinds of cells, arrays, normals and materials.
+// Scenes with all kinds of cells, arrays, normals and materials.
 #include "Scenes.h"
 
 using lambent::Weighting;
 
 namespace
 {
-/// Two boxes that share no point, as one body: sharp edges for normals to smooth.
+/// Two boxes without common points, as one body with sharp edges for normals to smooth.
 Body& boxes(Stage& s)
 {
   s.daylight();
@@ -152,7 +152,7 @@ SceneList surfaceScenes()
         RandomNumbers random(10);
         for (Vec3& p : body.shape.points)
         {
-          p = p + random.inBox(0.0625); // not quite in a plane
+          p = p + random.inBox(0.0625); // not quite planar
         }
       } },
     { "surface-strips",

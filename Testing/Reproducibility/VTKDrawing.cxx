@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing by the VTK filters.
+// Rendering with the VTK filters.
 #include "BodySurface.h"
 #include "Drawing.h"
 #include "StageToVTK.h"
@@ -19,7 +19,7 @@
 
 namespace
 {
-/// Bodies with their smooth ones' normals, where these cannot be left to the ray tracer.
+/// The bodies, with normals for those smooth ones whose normals the ray tracer cannot compute.
 std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
 {
   for (Body& body : bodies)
@@ -111,7 +111,7 @@ Picture draw(const Stage& stage, const Manner& manner)
   {
     throw std::runtime_error("only the core has --brute-force");
   }
-  vtkObject::GlobalWarningDisplayOff(); // hostile scenes bring warnings
+  vtkObject::GlobalWarningDisplayOff(); // hostile scenes cause warnings
   const std::string backend = manner.backend.empty() ? vtkSMPTools::GetBackend() : manner.backend;
   Picture picture;
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ manner.threads, backend, false },

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras, image sizes and backgrounds.
+// Scenes with different cameras, image sizes and backgrounds.
 #include "Scenes.h"
 
 namespace
 {
-/// A ball and a box, for cameras to look at.
+/// A ball and a box to look at.
 void still(Stage& s)
 {
   s.daylight();

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The programs of the matrix, each built by another compiler, with other flags or for another processor."""
+"""The programs of the matrix, built with different compilers and flags, and for different processors."""
 
 import dataclasses
 import os
@@ -15,19 +15,19 @@ INSTALL = "sh Testing/Reproducibility/run.sh installs it"
 
 
 class NotHere(Exception):
-    """Cannot be built or run on this machine; says why."""
+    """The program cannot be built or run on this machine. The message gives the reason."""
 
 
 @dataclasses.dataclass
 class Build:
     title: str
     compiler: str
-    options: list = dataclasses.field(default_factory=list)  # of cmake
-    foreign: str = ""  # Debian's name of the processor, if it is not this one
-    runner: object = None  # gives what goes before the program's name
+    options: list = dataclasses.field(default_factory=list)  # for cmake
+    foreign: str = ""  # Debian's name of the processor, if different from this one
+    runner: object = None  # returns a prefix for the command, such as an emulator
 
     def make(self, folder, jobs):
-        """Builds the program and returns the words that run it."""
+        """Builds the program and returns the command that runs it."""
         if not shutil.which(self.compiler):
             raise NotHere("no %s; %s" % (self.compiler, INSTALL))
         options = ["-DCMAKE_CXX_COMPILER=" + self.compiler, *self.options]
@@ -62,14 +62,14 @@ def cmake(source, build, options, target, jobs, prefix=()):
 
 
 def foreign_highway(architecture, folder):
-    """Highway for another processor, from Debian's packages, unpacked and not installed."""
+    """Highway for another processor, from Debian's packages, unpacked but not installed."""
     debian = {"arm64": "aarch64-linux-gnu", "i386": "i386-linux-gnu"}[architecture]
     library = folder / "usr" / "lib" / debian
     if (library / "cmake" / "hwy").is_dir() and (library / "libhwy.so").exists():
         return library
     if not shutil.which("apt-get"):
         raise NotHere("no apt-get to fetch Highway for %s with" % architecture)
-    # With lists of its own, so that the system does not come to know a second architecture.
+    # Uses separate package lists, so that the system does not get a second architecture.
     for part in ("lists/partial", "archives/partial"):
         (folder / part).mkdir(parents=True, exist_ok=True)
     apt = ["apt-get", "-o", "Dir::State::Lists=%s/lists" % folder, "-o", "Dir::Cache=%s" % folder,
@@ -77,7 +77,7 @@ def foreign_highway(architecture, folder):
     log = folder.with_suffix(".log")
     words = ["libhwy1:" + architecture, "libhwy-dev:" + architecture]
     with open(log, "ab") as file:
-        for step in (["update"], ["download", *words]):  # some list may fail that is not needed
+        for step in (["update"], ["download", *words]):  # some unneeded list may fail
             subprocess.run([*apt, *step], cwd=folder, stdout=file, stderr=file, check=False)
     packages = sorted(folder.glob("*.deb"))
     if len(packages) != len(words):
@@ -102,7 +102,7 @@ def by_loader(library):
 
 
 def flags(text):
-    """Instead of the release flags."""
+    """Options that replace the release flags."""
     return ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=" + text]
 
 
@@ -111,7 +111,7 @@ def target(name, processor):
 
 
 def core_builds():
-    """Builds of the core alone."""
+    """Builds of the core only."""
     return [
         Build("GCC -O3", "g++"),
         Build("GCC -O0", "g++", flags("-O0")),
@@ -135,14 +135,14 @@ VTK_OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLAMBENT_BUILD_EXAMPLES=OFF",
 
 
 def vtk_program(folder, jobs):
-    """The filters, on this system's VTK."""
+    """The filters, with this system's VTK."""
     build = folder / "VTK"
     cmake(ROOT, build, VTK_OPTIONS, "LambentReproducibilityVTK", jobs)
     return [str(build / "bin" / "LambentReproducibilityVTK")]
 
 
 def version(words):
-    """The first line that a program says of its version."""
+    """The first line of a program's version message."""
     try:
         run = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
         return run.stdout.decode().splitlines()[0].strip()

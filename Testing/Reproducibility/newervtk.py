@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A second system in a folder, Debian testing, with its newer VTK, compiler and Highway."""
+"""A second system, Debian testing, in a folder, with its newer VTK, compiler and Highway."""
 
 import os
 import pathlib
@@ -15,8 +15,8 @@ PACKAGES = "g++,cmake,ninja-build,libglm-dev,libhwy-dev,libgtest-dev"
 
 
 def inside(folder, build):
-    """Goes before a command that runs in the folder's system, which sees sources, build and /tmp; what is
-    mounted for it goes with it."""
+    """A prefix that runs a command in the folder's system, with sources, build and /tmp mounted. The mounts
+    disappear with the command."""
     mounts = [(ROOT, SOURCE_THERE), (build, BUILD_THERE), (tempfile.gettempdir(), "/tmp")]
     script = "".join("mkdir -p '%s%s' && mount --bind '%s' '%s%s' && "
                      % (folder, there, here, folder, there) for here, there in mounts)
@@ -25,7 +25,7 @@ def inside(folder, build):
 
 
 def mirror():
-    """Where this system has its packages from, if that is easy to see."""
+    """The package source of this system, if it is easy to find."""
     for path in sorted(pathlib.Path("/etc/apt").glob("sources.list.d/*.sources")):
         for line in path.read_text(encoding="utf-8").splitlines():
             if line.startswith("URIs:"):
@@ -42,7 +42,7 @@ def install(folder, build, log):
 
 
 def newer_vtk_program(folder, build, jobs):
-    """The filters on the newer VTK, and what is newer there."""
+    """The filters with the newer VTK, and a description of the newer versions."""
     if os.geteuid() != 0 or not shutil.which("debootstrap"):
         raise NotHere("needs root and debootstrap")
     folder, build = pathlib.Path(folder).resolve(), build.resolve()

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds with every compiler, and draws every scene in every way:
+# Installs missing packages, builds with every compiler, and renders every scene in every way:
 #   sh Testing/Reproducibility/run.sh                       everything; about a quarter of an hour
-#   sh Testing/Reproducibility/run.sh --newer-vtk FOLDER    and with Debian testing's VTK
+#   sh Testing/Reproducibility/run.sh --newer-vtk FOLDER    also with Debian testing's VTK
 # Further options: see matrix --help.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)

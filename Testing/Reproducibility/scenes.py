@@ -24,13 +24,13 @@ THREADS = ("1", "2", "3", "8")
 
 
 def expected():
-    """The hash of each picture by its file's name."""
+    """The listed hash of each picture, by file name."""
     lines = LIST.read_text(encoding="ascii").splitlines()
     return {name: digest for digest, name in (line.split(None, 1) for line in lines)}
 
 
 def draw(command, environment=None):
-    """What a program draws: the hash of each picture by its file's name."""
+    """Runs a program that renders all scenes. Returns the hash of each picture, by file name."""
     with tempfile.TemporaryDirectory(prefix="lambent-") as folder:
         run = subprocess.run([*command, folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                              env={**os.environ, **(environment or {})}, check=False)
@@ -42,14 +42,14 @@ def draw(command, environment=None):
 
 
 def compare(hashes, reference):
-    """The names of the scenes, and of those that are not as in the reference."""
+    """The names of the scenes, and of those that differ from the reference."""
     scenes = {pathlib.Path(name).stem for name in hashes}
     wrong = {pathlib.Path(name).stem for name in hashes if hashes[name] != reference.get(name)}
     return sorted(scenes), sorted(wrong)
 
 
 def manners(program):
-    """What a program can vary here: instruction sets and backends of threads."""
+    """The instruction sets and threading backends that a program supports here."""
     text = subprocess.run([*program, "--manners"], stdout=subprocess.PIPE, check=True).stdout.decode()
     pairs = [line.split(" ", 1) for line in text.splitlines()]
     return ([name for kind, name in pairs if kind == "LAMBENT_SIMD"],
@@ -57,7 +57,7 @@ def manners(program):
 
 
 def variations(program):
-    """A title and what draw() needs, for all that a program can vary."""
+    """A title and the arguments of draw(), for each variation of a program."""
     simds, backends = manners(program)
     for simd in simds:
         yield simd + ", 3 threads", [*program, "--threads", "3"], {"LAMBENT_SIMD": simd}
@@ -88,7 +88,7 @@ def main(arguments):
     if not arguments or arguments[0].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 2
-    is_path = os.path.exists(arguments[0])  # which may have spaces
+    is_path = os.path.exists(arguments[0])  # can contain spaces
     program = [arguments[0]] if is_path else shlex.split(arguments[0])
     if option == "--all":
         return 1 if check_all(program) else 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The two assertions. The comparison itself is vtkLambentImageComparison's."""
+"""The two assertions. vtkLambentImageComparison does the comparison."""
 
 import hashlib
 import numbers
@@ -20,12 +20,12 @@ METRICS = {
 
 
 def assert_images_equal(a, b, tolerance=0, metric="max"):
-    """Fail unless picture `a` equals `b`, the one that is expected.
+    """Fail unless picture `a` equals the expected picture `b`.
 
-    `metric` is what must not exceed `tolerance`: "max", the largest difference of two values, or
-    "rmse", the root of the mean square of all differences, both in units of the values (0 to 255
-    for bytes); or "ssim", what the structural similarity lacks to 1 (VTK 9.4 or newer). With a
-    tolerance of 0 each of them is exact.
+    `metric` must not exceed `tolerance`. It is "max", the largest difference between two values;
+    "rmse", the root mean square of all differences, both in units of the values (0 to 255 for
+    bytes); or "ssim", 1 minus the structural similarity (VTK 9.4 or newer). With a tolerance of
+    0 no value may differ, whatever the metric.
     """
     __tracebackhide__ = True
     comparison = _comparison(tolerance, metric)
@@ -41,11 +41,11 @@ def assert_images_equal(a, b, tolerance=0, metric="max"):
 
 
 def assert_matches_baseline(image_or_filter, name, tolerance=0, metric="max"):
-    """Fail unless a picture equals the baseline of this name: the file `name`.png in the folder
-    `baselines` beside the test's file. A name may have folders, as "box/front".
+    """Fail unless a picture equals its baseline: the file `name`.png in the folder `baselines`
+    beside the test's file. A name may contain folders, such as "box/front".
 
     Without a baseline the test fails, too, and says how to accept the picture. A picture that
-    passes never replaces its baseline. `tolerance` and `metric`: see assert_images_equal().
+    passes never replaces its baseline. For `tolerance` and `metric` see assert_images_equal().
     """
     __tracebackhide__ = True
     comparison = _comparison(tolerance, metric)
@@ -77,8 +77,8 @@ def assert_matches_baseline(image_or_filter, name, tolerance=0, metric="max"):
 
 
 def baseline_file(folder, name):
-    """The file of a baseline. A name that could lead out of the folder, or that some system cannot
-    have, is a ValueError."""
+    """The path of a baseline. Raises ValueError for a name that could lead out of the folder, or
+    that some systems do not allow."""
     if not isinstance(name, str):
         raise TypeError("the name of a baseline is a string, not %r" % (name,))
     parts = re.sub(r"\.png$", "", name).split("/")
@@ -93,7 +93,7 @@ def baseline_file(folder, name):
 
 
 def _comparison(tolerance, metric):
-    """A comparison that is still to be made; until then nothing has passed."""
+    """A comparison with these settings, not run yet."""
     if not isinstance(metric, str) or metric not in METRICS:
         raise ValueError("the metric is %r; it can be %s"
                          % (metric, ", ".join(map(repr, METRICS))))
@@ -115,7 +115,7 @@ def _compare(comparison, picture, expected):
 
 
 def _judge(run, comparison, picture, baseline):
-    """Compare with a file, if there is one; what is found, in one line."""
+    """Compare a picture with its baseline, if there is one. Return the result in one line."""
     if baseline in run.pending:
         _compare(comparison, picture, run.pending[baseline][0])
         return comparison.GetMessage()
@@ -123,21 +123,21 @@ def _judge(run, comparison, picture, baseline):
         return "there is no baseline yet"
     try:
         expected = as_image(baseline)
-    except ValueError as error:  # such as a file that only stands for one in a large-file store
+    except ValueError as error:  # such as a pointer into a large-file store
         return str(error)
     _compare(comparison, picture, expected)
     return comparison.GetMessage()
 
 
 def _refuse_baseline(picture, baseline):
-    """A file is always equal to itself."""
+    """Raise ValueError if the picture is its own baseline, which would always be equal."""
     if not isinstance(picture, (str, bytes, os.PathLike)):
         return
     path = os.fsdecode(picture)
     is_same = os.path.realpath(path) == os.path.realpath(baseline)
     try:
         is_same = is_same or os.path.samefile(path, baseline)
-    except OSError:  # one of them is not there
+    except OSError:  # one of them is missing
         pass
     if is_same:
         raise ValueError("the picture '%s' is the baseline itself; give the one that is to be"
@@ -155,7 +155,7 @@ def _accept(run, result, picture):
 
 
 def _save(result, stem, **images):
-    """Write those of the pictures that a PNG can hold; name them in the result."""
+    """Write the pictures that a PNG can hold, and add their paths to the result."""
     for role, image in images.items():
         if fits_png(image):
             result[role] = "%s.%s.png" % (stem, role)
@@ -163,7 +163,7 @@ def _save(result, stem, **images):
 
 
 def _conclude(run, result):
-    """Hand the result over; if it is a failure, say what is wrong, and where to look."""
+    """Record the result. If it is a failure, raise an error that describes it."""
     __tracebackhide__ = True
     run.record(result)
     if result["outcome"] != "failed":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What people call a picture, as a vtkImageData, and back to a PNG."""
+"""Convert any kind of picture to vtkImageData, and vtkImageData to PNG."""
 
 import os
 import re
@@ -16,7 +16,7 @@ from .pillow import in_plain_colours, is_pillow
 
 
 def as_image(picture):
-    """A vtkImageData of its own for any kind of picture; lambent.testing tells which there are."""
+    """A separate vtkImageData for any kind of picture; lambent.testing lists the kinds."""
     if isinstance(picture, (str, os.PathLike)):
         image = read_png(os.fspath(picture))
     elif isinstance(picture, vtkAlgorithm):
@@ -37,14 +37,14 @@ def as_image(picture):
         raise ValueError("the picture has %d slices; give one, as by vtkExtractVOI"
                          % image.GetDimensions()[2])
     own = vtkImageData()
-    own.ShallowCopy(image)  # later updates of an algorithm do not change it
+    own.ShallowCopy(image)  # unaffected by later updates of an algorithm
     return own
 
 
 def read_png(path):
-    """The picture in a PNG file. One that is there but not whole is a ValueError."""
+    """The picture in a PNG file. Raises ValueError if the file is not a complete PNG."""
     path = os.fsdecode(path)
-    os.stat(path)  # says that there is none
+    os.stat(path)  # raises an error if it is missing
     reader = vtkLambentPNGReader()
     reader.SetFileName(path)
     if not reader.Read():
@@ -59,7 +59,7 @@ def read_png(path):
 
 
 def fits_png(image):
-    """Whether there is a picture, and a PNG can hold it without loss."""
+    """Whether the image has a picture that a PNG can hold without loss."""
     scalars = image.GetPointData().GetScalars()
     return (scalars is not None
             and scalars.GetDataType() in (VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT)
@@ -78,8 +78,8 @@ def png_of(image):
 
 
 def write_file(path, content):
-    """Write a file whole or not at all: whoever reads it meanwhile, or writes it as well, sees one
-    version or another. A link stays one. A device or a pipe is written to, not replaced."""
+    """Write a file atomically: concurrent readers and writers see one complete version or the
+    other. Links are followed, not replaced. A device or a pipe is written to directly."""
     path = os.path.realpath(path)
     if os.path.exists(path) and not os.path.isfile(path):
         with open(path, "wb") as file:
@@ -102,7 +102,7 @@ def _kind(picture):
 
 
 def _output_of(algorithm):
-    """The first output of an algorithm, brought up to date; an error it reports is raised."""
+    """Update an algorithm and return its first output. Raises the first error that it reports."""
     name = algorithm.GetClassName()
     errors = []
 
@@ -113,7 +113,7 @@ def _output_of(algorithm):
     executive = algorithm.GetExecutive()
     observed = [(each, each.AddObserver("ErrorEvent", note)) for each in (algorithm, executive)]
     try:
-        # What fails further up in the pipeline leaves the last output as it was, without a word.
+        # If something upstream fails, the algorithm silently keeps its old output.
         is_current = algorithm.GetNumberOfOutputPorts() > 0 and executive.Update(0)
     finally:
         for each, observer in observed:
@@ -130,13 +130,13 @@ def _output_of(algorithm):
 
 
 def _image_of_array(picture):
-    import numpy  # whoever passes an array has it
+    import numpy  # callers with an array have it
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     if numpy.ma.is_masked(picture):
         raise ValueError("some of the array's values are masked; fill them, as by filled(0)")
     array = numpy.asarray(picture)
-    native = array.dtype.newbyteorder("=")  # another order of bytes is no other number
+    native = array.dtype.newbyteorder("=")  # byte order does not change the values
     if native not in (numpy.uint8, numpy.uint16):
         raise TypeError("the array's values are %s; a picture's are uint8 (0 to 255) or uint16"
                         % array.dtype)

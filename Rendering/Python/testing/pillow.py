@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Images of Pillow. As arrays some of them are not colours: those of a palette are indices, and
-others are in colour spaces of print and video."""
+"""Pillow images. As arrays, some of them do not hold RGB colours: palette images hold indices, and
+others use the colour spaces of print and video."""
 
 _PLAIN = ("L", "LA", "RGB", "RGBA", "I;16", "I;16L", "I;16B", "I;16N")
-_NUMBERS = ("I", "F")  # of which the array tells what is wrong
+_NUMBERS = ("I", "F")  # rejected later, by the type of their arrays
 
 
 def is_pillow(picture):
@@ -12,8 +12,8 @@ def is_pillow(picture):
 
 
 def in_plain_colours(picture):
-    """The same colours in a mode of which an array holds them, with an alpha channel if some are
-    transparent. A conversion that would round, and so take two colours for one, is left to the
+    """The same colours in a mode whose array holds them, with an alpha channel if some are
+    transparent. Conversions that would round, and so could make two colours equal, are left to the
     caller."""
     mode = picture.mode
     is_transparent = "transparency" in picture.info

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A report of a run's pictures: one HTML page with the pictures inside, which needs no network. It
-looks like that of the command `lambent`."""
+"""A report of a run's pictures: a single HTML page with embedded pictures, which needs no network.
+It looks like the report of the command `lambent`."""
 
 import base64
 import html
@@ -15,8 +15,8 @@ MARK = b"<!DOCTYPE html>\n<!-- report of lambent.testing -->\n"
 
 
 def write_report(path, results):
-    """Write the report of the results, dictionaries as lambent.testing records them. Only an older
-    report is written over; any other file is an OSError."""
+    """Write the report of results, which are dictionaries as lambent.testing records them.
+    Overwrites an older report or an empty file; raises OSError for any other file."""
     if os.path.isfile(path) and os.path.getsize(path):
         with open(path, "rb") as file:
             if file.read(len(MARK)) != MARK:
@@ -36,7 +36,7 @@ def _text(name):
 
 
 def _section(result):
-    """What is said of one comparison; of what has passed there is no more than a line."""
+    """The section of one comparison, without pictures if it has passed."""
     outcome = result["outcome"]
     lines = ["<h2>%s</h2>" % html.escape(result["test"]),
              "<div>%s</div>" % html.escape(result["message"])]
@@ -49,7 +49,7 @@ def _section(result):
 
 
 def _figures(result):
-    """Picture and baseline under a slider, and the difference; or as many of them as there are."""
+    """Picture and baseline under a slider, and the difference; or whichever of them exist."""
     found = {role: _read(result[role]) for role in ("picture", "baseline", "difference")
              if role in result}
     found = {role: png for role, png in found.items() if png}
@@ -65,7 +65,7 @@ def _figures(result):
 
 
 def _read(path):
-    """The bytes of a PNG file; None if it is not there, as when a worker runs on another machine."""
+    """The bytes of a PNG file; None if it is missing, as when a worker runs on another machine."""
     try:
         with open(path, "rb") as file:
             content = file.read()
@@ -75,7 +75,7 @@ def _read(path):
 
 
 def _width(png):
-    """The width to show a picture at; a small one is enlarged by a whole factor."""
+    """The display width of a picture; small ones are enlarged by an integer factor."""
     width, = struct.unpack(">I", png[16:20])
     return width * max(1, 360 // width)
 
