@@ -13,9 +13,11 @@
 #include <stdexcept>
 #include <utility>
 
+namespace lambent::adapters
+{
 namespace
 {
-lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
+TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
 {
   vtkPoints* points = polyData->GetPoints();
   if (points && points->GetData()->GetNumberOfComponents() != 3)
@@ -28,10 +30,10 @@ lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   return spans.tuples(points ? points->GetData() : nullptr);
 }
 
-[[noreturn]] void refuse(const lambent::CellDefect& defect, vtkIdType cell, std::size_t points)
+[[noreturn]] void refuse(const CellDefect& defect, vtkIdType cell, std::size_t points)
 {
   std::ostringstream text;
-  if (defect.kind == lambent::CellDefect::Offsets)
+  if (defect.kind == CellDefect::Offsets)
   {
     text << "Cell " << cell
          << " begins or ends outside of the connectivity of its vtkCellArray. Rebuild the "
@@ -54,46 +56,46 @@ lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
 }
 }
 
-FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel)
+FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel)
 {
-  this->Faces.points = pointsOf(polyData, this->Spans);
+  this->Mesh.points = pointsOf(polyData, this->Spans);
   vtkCellArray* const arrays[] = { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(),
     polyData->GetStrips() };
-  lambent::CellSpan lists[4];
-  lambent::CheckedCells checked[4];
+  CellSpan lists[4];
+  CheckedCells checked[4];
   vtkIdType firstCell = 0;
   for (int i = 0; i < 4; ++i)
   {
     lists[i] = this->Spans.cells(arrays[i]);
-    checked[i] = lambent::checkCells(
-      lists[i], this->Faces.points.size, lambent::Share(parallel, 0.1 * i, 0.1 * (i + 1)));
-    if (const lambent::CellDefect& defect = checked[i].defect)
+    checked[i] =
+      checkCells(lists[i], this->Mesh.points.size, Share(parallel, 0.1 * i, 0.1 * (i + 1)));
+    if (const CellDefect& defect = checked[i].defect)
     {
-      refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Faces.points.size);
+      refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Mesh.points.size);
     }
-    firstCell += static_cast<vtkIdType>(lambent::cellCount(lists[i]));
+    firstCell += static_cast<vtkIdType>(cellCount(lists[i]));
   }
 
-  const lambent::CellSpan& polygons = lists[2];
-  const lambent::CellSpan& strips = lists[3];
-  this->Faces.cells = polygons;
-  this->Faces.blocks = std::move(checked[2].blocks);
-  if (lambent::cellCount(strips) > 0)
+  const CellSpan& polygons = lists[2];
+  const CellSpan& strips = lists[3];
+  this->Mesh.cells = polygons;
+  this->Mesh.blocks = std::move(checked[2].blocks);
+  if (cellCount(strips) > 0)
   {
-    this->Merged = lambent::mergeFaces(polygons, strips, lambent::Share(parallel, 0.4, 0.6));
-    this->setCells(this->Merged.span(), lambent::Share(parallel, 0.6, 0.7));
+    this->Merged = mergeFaces(polygons, strips, Share(parallel, 0.4, 0.6));
+    this->setCells(this->Merged.span(), Share(parallel, 0.6, 0.7));
   }
   this->markNonFinite(polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(),
-    lambent::Share(parallel, 0.7, 1.0));
+    Share(parallel, 0.7, 1.0));
 }
 
-void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
-  vtkIdType firstPolygon, const lambent::Parallel& parallel)
+void FacesFromVTK::markNonFinite(const CellSpan& polygons, const CellSpan& strips,
+  vtkIdType firstPolygon, const Parallel& parallel)
 {
   std::vector<unsigned char> cells =
-    lambent::findNonFinite(this->Faces.points, polygons, lambent::Share(parallel, 0.0, 0.5));
+    findNonFinite(this->Mesh.points, polygons, Share(parallel, 0.0, 0.5));
   const std::vector<unsigned char> ofStrips =
-    lambent::findNonFinite(this->Faces.points, strips, lambent::Share(parallel, 0.5, 1.0));
+    findNonFinite(this->Mesh.points, strips, Share(parallel, 0.5, 1.0));
   cells.insert(cells.end(), ofStrips.begin(), ofStrips.end());
   const auto first = std::find(cells.begin(), cells.end(), 1);
   if (first == cells.end())
@@ -107,21 +109,22 @@ void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lamben
        << firstPolygon + (first - cells.begin()) << ". Correct or remove them.";
   this->Warning = text.str();
 
-  this->Faces.skip.resize(lambent::cellCount(this->Faces.cells));
-  for (std::size_t face = 0; face < this->Faces.skip.size(); ++face)
+  this->Mesh.skip.resize(cellCount(this->Mesh.cells));
+  for (std::size_t face = 0; face < this->Mesh.skip.size(); ++face)
   {
-    this->Faces.skip[face] = cells[this->cellOf(static_cast<std::int64_t>(face))];
+    this->Mesh.skip[face] = cells[this->cellOf(static_cast<std::int64_t>(face))];
   }
 }
 
-void FacesFromVTK::setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel)
+void FacesFromVTK::setCells(const CellSpan& cells, const Parallel& parallel)
 {
-  this->Faces.cells = cells;
-  this->Faces.blocks = lambent::checkCells(cells, this->Faces.points.size, parallel).blocks;
+  this->Mesh.cells = cells;
+  this->Mesh.blocks = checkCells(cells, this->Mesh.points.size, parallel).blocks;
 }
 
-void FacesFromVTK::refer(vtkPolyData* rewritten, const lambent::Parallel& parallel)
+void FacesFromVTK::refer(vtkPolyData* rewritten, const Parallel& parallel)
 {
-  this->Faces.points = pointsOf(rewritten, this->Spans);
+  this->Mesh.points = pointsOf(rewritten, this->Spans);
   this->setCells(this->Spans.cells(rewritten->GetPolys()), parallel);
+}
 }

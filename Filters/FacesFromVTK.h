@@ -15,14 +15,16 @@
 
 class vtkPolyData;
 
+namespace lambent::adapters
+{
 class FacesFromVTK
 {
 public:
   /// The polydata must outlive this object. Throws std::runtime_error, with what to
   /// do about it, if a cell names a point that does not exist.
-  FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel);
+  FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel);
 
-  const lambent::Faces& faces() const { return this->Faces; }
+  const Faces& faces() const { return this->Mesh; }
   /// Also if they are all too short to have a triangle.
   bool hasStrips() const { return !this->Merged.offsets.empty(); }
 
@@ -37,17 +39,18 @@ public:
   }
 
   /// From now on take points and polygons from the same mesh after a rewrite.
-  void refer(vtkPolyData* rewritten, const lambent::Parallel& parallel);
+  void refer(vtkPolyData* rewritten, const Parallel& parallel);
 
 private:
-  void setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel);
-  void markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
-    vtkIdType firstPolygon, const lambent::Parallel& parallel);
+  void setCells(const CellSpan& cells, const Parallel& parallel);
+  void markNonFinite(const CellSpan& polygons, const CellSpan& strips, vtkIdType firstPolygon,
+    const Parallel& parallel);
 
   SpansFromVTK Spans;
-  lambent::MergedFaces Merged; ///< empty where there are no strips
-  lambent::Faces Faces;
+  MergedFaces Merged; ///< empty where there are no strips
+  Faces Mesh;
   std::string Warning;
 };
+}
 
 #endif

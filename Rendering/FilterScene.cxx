@@ -14,8 +14,10 @@
 #include <cmath>
 #include <stdexcept>
 
-FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs,
-  const lambent::Parallel& parallel)
+namespace lambent::adapters
+{
+FilterScene::FilterScene(
+  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs, const Parallel& parallel)
   : Filter(filter)
   , Surfaces(inputs, appearances(filter, inputs.size()), parallel)
 {
@@ -33,10 +35,9 @@ FilterScene::FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyD
   this->Description.surfaces = this->Surfaces.surfaces();
 }
 
-std::vector<lambent::Appearance> FilterScene::appearances(
-  vtkLambentRayTracer* filter, std::size_t count)
+std::vector<Appearance> FilterScene::appearances(vtkLambentRayTracer* filter, std::size_t count)
 {
-  std::vector<lambent::Appearance> result;
+  std::vector<Appearance> result;
   for (int k = 0; k < static_cast<int>(count); ++k)
   {
     vtkProperty* own = filter->GetInputProperty(k);
@@ -51,9 +52,9 @@ std::vector<lambent::Appearance> FilterScene::appearances(
   return result;
 }
 
-void FilterScene::addCamera(const lambent::Parallel& parallel)
+void FilterScene::addCamera(const Parallel& parallel)
 {
-  lambent::Camera& camera = this->Description.camera;
+  Camera& camera = this->Description.camera;
   if (this->Filter->GetCamera())
   {
     camera = cameraFromVTK(this->Filter->GetCamera());
@@ -72,10 +73,10 @@ void FilterScene::addCamera(const lambent::Parallel& parallel)
 
 void FilterScene::addLights()
 {
-  lambent::Scene& scene = this->Description;
+  Scene& scene = this->Description;
   scene.ambientModel = this->Filter->GetAmbientModel() == vtkLambentRayTracer::SCENE
-    ? lambent::AmbientModel::Scene
-    : lambent::AmbientModel::PerLight;
+    ? AmbientModel::Scene
+    : AmbientModel::PerLight;
   scene.twoSidedLighting = this->Filter->GetTwoSidedLighting() != 0;
   int index = 0;
   for (vtkLight* light : vtk::Range(this->Filter->GetLights()))
@@ -112,4 +113,5 @@ void FilterScene::addBackground()
     this->Description.background[channel] = bottom[channel];
     this->Description.backgroundTop[channel] = top[channel];
   }
+}
 }

@@ -11,28 +11,30 @@
 
 class vtkLambentRayTracer;
 
+namespace lambent::adapters
+{
 class FilterScene
 {
 public:
   /// Surfaces, camera, lights and background. The filter and the inputs must
   /// outlive this object. Throws std::runtime_error with a message for the user, and what
   /// the checkpoints of parallel throw while normals are computed.
-  FilterScene(vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs,
-    const lambent::Parallel& parallel);
+  FilterScene(
+    vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs, const Parallel& parallel);
 
-  const lambent::Scene& scene() const { return this->Description; }
+  const Scene& scene() const { return this->Description; }
   const InputSurfaces& surfaces() const { return this->Surfaces; }
 
 private:
-  static std::vector<lambent::Appearance> appearances(
-    vtkLambentRayTracer* filter, std::size_t count);
-  void addCamera(const lambent::Parallel& parallel);
+  static std::vector<Appearance> appearances(vtkLambentRayTracer* filter, std::size_t count);
+  void addCamera(const Parallel& parallel);
   void addLights();
   void addBackground();
 
   vtkLambentRayTracer* Filter;
   InputSurfaces Surfaces;
-  lambent::Scene Description;
+  Scene Description;
 };
+}
 
 #endif

@@ -16,6 +16,8 @@
 #include <unordered_map>
 #include <utility>
 
+namespace lambent::adapters
+{
 namespace
 {
 using Messages = std::vector<std::string>;
@@ -108,7 +110,7 @@ std::string whyNoNormalsAreComputed(
     }
     vtkProperty* const own = filter->GetInputProperty(k);
     const bool isSmooth =
-      appearanceFromVTK(own ? own : filter->GetProperty()).shading == lambent::Shading::Smooth;
+      appearanceFromVTK(own ? own : filter->GetProperty()).shading == Shading::Smooth;
     if (isSmooth && !(filter->GetUsePointNormals() && inputs[k]->GetPointData()->GetNormals()))
     {
       return "";
@@ -184,4 +186,5 @@ std::vector<std::string> findIdleSettings(
   addNormalSettings(messages, filter, inputs);
   addLights(messages, filter);
   return messages;
+}
 }

@@ -11,9 +11,8 @@
 
 #include <cmath>
 
-using lambent::isFinite;
-using lambent::Vec3;
-
+namespace lambent::adapters
+{
 namespace
 {
 Vec3 toVec3(const double* v)
@@ -39,20 +38,20 @@ Vec3 transformed(vtkMatrix4x4* matrix, const Vec3& p)
 
 /// A point of the space that camera lights live in: the camera stands at (0, 0, 1)
 /// and looks at the origin, y is up, and the unit is the focal distance.
-Vec3 fromCameraSpace(const Vec3& p, const lambent::Camera& camera)
+Vec3 fromCameraSpace(const Vec3& p, const Camera& camera)
 {
   const Vec3 view = camera.focalPoint - camera.position;
-  const double distance = lambent::length(view);
-  const Vec3 forward = lambent::normalized(view);
-  const Vec3 right = lambent::normalized(lambent::cross(forward, camera.viewUp));
-  const Vec3 up = lambent::cross(right, forward);
+  const double distance = length(view);
+  const Vec3 forward = normalized(view);
+  const Vec3 right = normalized(cross(forward, camera.viewUp));
+  const Vec3 up = cross(right, forward);
   return camera.focalPoint + (((right * p.x + up * p.y) - forward * p.z) * distance);
 }
 }
 
-lambent::Camera cameraFromVTK(vtkCamera* camera)
+Camera cameraFromVTK(vtkCamera* camera)
 {
-  lambent::Camera result;
+  Camera result;
   result.position = toVec3(camera->GetPosition());
   result.focalPoint = toVec3(camera->GetFocalPoint());
   result.viewUp = toVec3(camera->GetViewUp());
@@ -64,7 +63,7 @@ lambent::Camera cameraFromVTK(vtkCamera* camera)
   return result;
 }
 
-void applyFraming(const lambent::Camera& framed, vtkCamera* camera)
+void applyFraming(const Camera& framed, vtkCamera* camera)
 {
   camera->SetPosition(framed.position.x, framed.position.y, framed.position.z);
   camera->SetFocalPoint(framed.focalPoint.x, framed.focalPoint.y, framed.focalPoint.z);
@@ -93,33 +92,33 @@ std::string unsupportedSettings(vtkCamera* camera)
   return names;
 }
 
-std::string describeDefect(const lambent::Camera& camera)
+std::string describeDefect(const Camera& camera)
 {
-  switch (lambent::findDefect(camera))
+  switch (findDefect(camera))
   {
-    case lambent::CameraDefect::NotFinite:
+    case CameraDefect::NotFinite:
       return "The camera has a setting that is not a finite number. Check SetPosition(), "
              "SetFocalPoint(), SetViewUp(), SetViewAngle(), SetParallelScale() and "
              "SetWindowCenter().";
-    case lambent::CameraDefect::ViewAngle:
+    case CameraDefect::ViewAngle:
       return "The camera's view angle is " + std::to_string(camera.viewAngle) +
         " degrees; it must lie between 0 and 180. Call vtkCamera::SetViewAngle().";
-    case lambent::CameraDefect::ParallelScale:
+    case CameraDefect::ParallelScale:
       return "The camera's parallel scale is " + std::to_string(camera.parallelScale) +
         "; it must be positive. Call vtkCamera::SetParallelScale().";
-    case lambent::CameraDefect::NoDirection:
+    case CameraDefect::NoDirection:
       return "The camera's position and focal point coincide. Move one of them with "
              "vtkCamera::SetPosition() or SetFocalPoint().";
-    case lambent::CameraDefect::ViewUp:
+    case CameraDefect::ViewUp:
       return "The camera's view-up is zero or parallel to its view direction. Call "
              "vtkCamera::SetViewUp() with another direction.";
-    case lambent::CameraDefect::None:
+    case CameraDefect::None:
       break;
   }
   return "";
 }
 
-lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera)
+Light lightFromVTK(vtkLight* light, const Camera& camera)
 {
   Vec3 position = toVec3(light->GetPosition());
   Vec3 focalPoint = toVec3(light->GetFocalPoint());
@@ -138,7 +137,7 @@ lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera)
     position = transformed(light->GetTransformMatrix(), position);
     focalPoint = transformed(light->GetTransformMatrix(), focalPoint);
   }
-  lambent::Light result;
+  Light result;
   result.positional = light->GetPositional() != 0;
   result.position = position;
   result.direction = focalPoint - position;
@@ -149,7 +148,7 @@ lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera)
   return result;
 }
 
-std::string describeDefect(const lambent::Light& light)
+std::string describeDefect(const Light& light)
 {
   const Vec3& attenuation = light.attenuation;
   if (!isFinite(light.position) || !isFinite(light.direction) || !isFinite(light.color) ||
@@ -166,16 +165,16 @@ std::string describeDefect(const lambent::Light& light)
   return "";
 }
 
-lambent::Light headlight(const lambent::Camera& camera)
+Light headlight(const Camera& camera)
 {
-  lambent::Light result;
+  Light result;
   result.direction = camera.focalPoint - camera.position;
   return result;
 }
 
-lambent::Appearance appearanceFromVTK(vtkProperty* property)
+Appearance appearanceFromVTK(vtkProperty* property)
 {
-  lambent::Appearance result;
+  Appearance result;
   if (!property)
   {
     return result;
@@ -184,16 +183,17 @@ lambent::Appearance appearanceFromVTK(vtkProperty* property)
   result.ambient = property->GetAmbient();
   result.diffuseColor = toVec3(property->GetDiffuseColor());
   result.ambientColor = toVec3(property->GetAmbientColor());
-  result.shading = !property->GetLighting()    ? lambent::Shading::Unlit
-    : property->GetInterpolation() == VTK_FLAT ? lambent::Shading::Flat
-                                               : lambent::Shading::Smooth;
+  result.shading = !property->GetLighting()    ? Shading::Unlit
+    : property->GetInterpolation() == VTK_FLAT ? Shading::Flat
+                                               : Shading::Smooth;
   result.cullFront = property->GetFrontfaceCulling() != 0;
   result.cullBack = property->GetBackfaceCulling() != 0;
   return result;
 }
 
-bool isFinite(const lambent::Appearance& appearance)
+bool isFinite(const Appearance& appearance)
 {
   return isFinite(appearance.diffuseColor) && isFinite(appearance.diffuseReflection()) &&
     isFinite(appearance.ambientReflection());
+}
 }

@@ -18,31 +18,35 @@ class vtkCamera;
 class vtkLight;
 class vtkProperty;
 
-lambent::Camera cameraFromVTK(vtkCamera* camera);
+namespace lambent::adapters
+{
+Camera cameraFromVTK(vtkCamera* camera);
 
 /// Give a camera what framing bounds changes: position, focal point, view-up, view
 /// angle and parallel scale.
-void applyFraming(const lambent::Camera& framed, vtkCamera* camera);
+void applyFraming(const Camera& framed, vtkCamera* camera);
 
 /// What of the camera's settings is not supported; empty if nothing.
 std::string unsupportedSettings(vtkCamera* camera);
 
 /// What is wrong with a camera, and the remedy; empty if nothing.
-std::string describeDefect(const lambent::Camera& camera);
+std::string describeDefect(const Camera& camera);
 
 /// A light as seen with a camera. Headlights and camera lights move with it.
-lambent::Light lightFromVTK(vtkLight* light, const lambent::Camera& camera);
+Light lightFromVTK(vtkLight* light, const Camera& camera);
 
 /// What is wrong with a light, and the remedy, to follow its name; empty if nothing.
-std::string describeDefect(const lambent::Light& light);
+std::string describeDefect(const Light& light);
 
 /// The white headlight of a scene without lights.
-lambent::Light headlight(const lambent::Camera& camera);
+Light headlight(const Camera& camera);
 
 /// A property as an appearance; nullptr is the default one.
-lambent::Appearance appearanceFromVTK(vtkProperty* property);
+Appearance appearanceFromVTK(vtkProperty* property);
 
+using lambent::isFinite;
 /// False if a coefficient or colour of the appearance is not a finite number.
-bool isFinite(const lambent::Appearance& appearance);
+bool isFinite(const Appearance& appearance);
+}
 
 #endif

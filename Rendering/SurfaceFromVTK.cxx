@@ -18,6 +18,8 @@
 #include <sstream>
 #include <stdexcept>
 
+namespace lambent::adapters
+{
 namespace
 {
 std::string describe(vtkDataArray* array)
@@ -28,14 +30,14 @@ std::string describe(vtkDataArray* array)
 }
 
 SurfaceFromVTK::SurfaceFromVTK(
-  vtkPolyData* polyData, const lambent::Appearance& appearance, const lambent::Parallel& parallel)
+  vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel)
   : Input(polyData)
 {
   this->Result.appearance = appearance;
   this->setPoints();
   this->setCells(parallel);
   vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
-  if (cellNormals && appearance.shading == lambent::Shading::Flat)
+  if (cellNormals && appearance.shading == Shading::Flat)
   {
     this->Result.cellNormals = this->normals(cellNormals, polyData->GetNumberOfCells(), "cell");
   }
@@ -46,28 +48,26 @@ void SurfaceFromVTK::setPointNormals(vtkDataArray* normals)
   this->Result.pointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point");
 }
 
-void SurfaceFromVTK::computeNormals(double featureAngle, const lambent::Parallel& parallel)
+void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& parallel)
 {
-  const FacesFromVTK mesh(this->Input, lambent::Share(parallel, 0.0, 0.2));
-  this->Normals =
-    lambent::computeCornerNormals(mesh.faces(), featureAngle, lambent::Share(parallel, 0.2, 0.95));
+  const FacesFromVTK mesh(this->Input, Share(parallel, 0.0, 0.2));
+  this->Normals = computeCornerNormals(mesh.faces(), featureAngle, Share(parallel, 0.2, 0.95));
   this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
   if (!this->Normals.numbers)
   {
     return;
   }
-  const lambent::IndexSpan& corners = this->Result.corners;
+  const IndexSpan& corners = this->Result.corners;
   this->Result.normalNumbers = { this->Normals.numbers.get(), false, corners.size };
   if (!this->Triangles.corners.empty())
   {
-    this->NormalNumbers = lambent::numbersOfTriangles(
-      mesh.faces().cells, this->Normals, corners, lambent::Share(parallel, 0.95, 1.0));
+    this->NormalNumbers =
+      numbersOfTriangles(mesh.faces().cells, this->Normals, corners, Share(parallel, 0.95, 1.0));
     this->Result.normalNumbers.data = this->NormalNumbers.data();
   }
 }
 
-lambent::TupleSpan SurfaceFromVTK::normals(
-  vtkDataArray* normals, vtkIdType expected, const char* kind)
+TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, const char* kind)
 {
   if (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != expected)
   {
@@ -97,23 +97,22 @@ void SurfaceFromVTK::setPoints()
   this->Result.points = this->Spans.tuples(points->GetData());
 }
 
-void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
+void SurfaceFromVTK::setCells(const Parallel& parallel)
 {
   vtkPolyData* input = this->Input;
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
   const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
-  const lambent::CellSpan polygons = this->Spans.cells(input->GetPolys());
-  const lambent::CellSpan strips = this->Spans.cells(input->GetStrips());
-  const lambent::CellSizes sizes = inspect(polygons, parallel);
-  if (sizes == lambent::CellSizes::Broken ||
-    inspect(strips, parallel) == lambent::CellSizes::Broken)
+  const CellSpan polygons = this->Spans.cells(input->GetPolys());
+  const CellSpan strips = this->Spans.cells(input->GetStrips());
+  const CellSizes sizes = inspect(polygons, parallel);
+  if (sizes == CellSizes::Broken || inspect(strips, parallel) == CellSizes::Broken)
   {
     throw std::runtime_error(std::string("the offsets of the ") +
-      (sizes == lambent::CellSizes::Broken ? "polygons" : "strips") +
+      (sizes == CellSizes::Broken ? "polygons" : "strips") +
       " decrease or reach beyond their connectivity. Rebuild the vtkCellArray, for instance "
       "with InsertNextCell().");
   }
-  if (sizes == lambent::CellSizes::Triangles && input->GetNumberOfStrips() == 0)
+  if (sizes == CellSizes::Triangles && input->GetNumberOfStrips() == 0)
   {
     this->Result.corners = polygons.connectivity;
     this->Result.corners.size = 3 * static_cast<std::size_t>(input->GetNumberOfPolys());
@@ -125,10 +124,9 @@ void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
     throw std::runtime_error("polygons and strips of more than 2147483647 points cannot be cut "
                              "into triangles here. Run vtkTriangleFilter first.");
   }
-  triangulate(polygons, lambent::CellKind::Polygons, this->Result.points, firstPolygon, parallel,
-    this->Triangles);
   triangulate(
-    strips, lambent::CellKind::Strips, this->Result.points, firstStrip, parallel, this->Triangles);
+    polygons, CellKind::Polygons, this->Result.points, firstPolygon, parallel, this->Triangles);
+  triangulate(strips, CellKind::Strips, this->Result.points, firstStrip, parallel, this->Triangles);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
 }
@@ -167,4 +165,5 @@ std::string SurfaceFromVTK::describeWrongCell(std::int64_t cell) const
     }
   }
   return text.str();
+}
 }

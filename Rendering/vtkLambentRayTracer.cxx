@@ -31,6 +31,8 @@
 #include <new>
 #include <stdexcept>
 
+using namespace lambent::adapters;
+
 namespace
 {
 /// How much of the whole is done when normals have been computed, roughly.

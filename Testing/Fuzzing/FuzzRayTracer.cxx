@@ -360,7 +360,7 @@ private:
     {
       meshes.push_back(mesh);
     }
-    const FilterScene scene(this->Tracer, meshes, one);
+    const lambent::adapters::FilterScene scene(this->Tracer, meshes, one);
     const lambent::Report report =
       render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.part));
     require(report.outcome == lambent::Outcome::Done, "brute force can draw it, too");
