@@ -7,8 +7,7 @@
 #ifndef FacesFromVTK_h
 #define FacesFromVTK_h
 
-#include "MergedFaces.h"
-#include "PointNormals.h"
+#include "CheckedFaces.h"
 #include "SpansFromVTK.h"
 
 #include <string>
@@ -24,31 +23,23 @@ public:
   /// do about it, if a cell names a point that does not exist.
   FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel);
 
-  const Faces& faces() const { return this->Mesh; }
+  const Faces& faces() const { return this->Checked.faces; }
   /// Also if they are all too short to have a triangle.
-  bool hasStrips() const { return !this->Merged.offsets.empty(); }
+  bool hasStrips() const { return !this->Checked.merged.isEmpty(); }
 
   /// How many cells count for nothing because of coordinates that are not finite;
   /// empty if none.
   const std::string& warning() const { return this->Warning; }
 
   /// The cell, counted from the first polygon, that a face is of.
-  std::int64_t cellOf(std::int64_t face) const
-  {
-    return this->hasStrips() ? this->Merged.cells[face] : face;
-  }
+  std::int64_t cellOf(std::int64_t face) const { return this->Checked.cellOf(face); }
 
   /// From now on take points and polygons from the same mesh after a rewrite.
   void refer(vtkPolyData* rewritten, const Parallel& parallel);
 
 private:
-  void setCells(const CellSpan& cells, const Parallel& parallel);
-  void markNonFinite(const CellSpan& polygons, const CellSpan& strips, vtkIdType firstPolygon,
-    const Parallel& parallel);
-
   SpansFromVTK Spans;
-  MergedFaces Merged; ///< empty where there are no strips
-  Faces Mesh;
+  CheckedFaces Checked;
   std::string Warning;
 };
 }

@@ -3,6 +3,7 @@
 #include "InputSurfaces.h"
 
 #include "Chunks.h"
+#include "InputShares.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -16,9 +17,6 @@ namespace lambent::adapters
 {
 namespace
 {
-// Below that many triangles threads work on different inputs, not on one together.
-constexpr std::size_t trianglesOfSmall = 32 * 1024;
-
 /// Calls body() and puts the input's number before the message of what it throws, which may
 /// have begun a sentence.
 template <typename Body>
@@ -44,6 +42,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   const std::vector<Appearance>& appearances, const Parallel& parallel)
   : Inputs(inputs)
 {
+  InputShares shares(inputs, parallel);
   std::size_t triangles = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
@@ -51,7 +50,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       [&]()
       {
         this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], parallel));
+          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
         this->FirstTriangles.push_back(triangles);
         triangles += this->Surfaces[k]->surface().triangleCount();
         if (triangles >= noTriangle)

@@ -6,12 +6,14 @@
  *
  * Float and double points, normals and triangles are used where they are. Other
  * number types and memory layouts are converted, and polygons and strips cut into
- * triangles, into memory that the SurfaceFromVTK owns.
+ * triangles, into memory that the SurfaceFromVTK owns. Computed normals come from the same
+ * spans: nothing is converted or merged twice.
  */
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
 
 #include "CornerNormals.h"
+#include "MergedFaces.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "SpansFromVTK.h"
@@ -45,9 +47,12 @@ public:
 private:
   void setPoints();
   void setCells(const Parallel& parallel);
+  std::int64_t firstPolygon() const;
   TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
 
   vtkPolyData* Input;
+  CellSpan Polygons, Strips;
+  MergedFaces Merged; ///< of both, until normals are computed; empty where there are no strips
   Surface Result;
   TriangleList Triangles;
   CornerNormals Normals;                   ///< where they are computed

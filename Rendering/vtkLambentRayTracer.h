@@ -43,7 +43,7 @@
  * Output, image size, background and further settings that all pictures have: see
  * vtkLambentAlgorithm.
  *
- * Bad input: a cell that names a point that does not exist, normals of the
+ * Bad input: a polygon or strip that names a point that does not exist, normals of the
  * wrong length or kind, an image size below 1 or beyond memory, a view angle
  * outside (0, 180) degrees, a view-up parallel to the view direction and
  * non-finite settings are errors; they name the cause and the remedy, and the

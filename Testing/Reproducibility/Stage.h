@@ -14,13 +14,12 @@
 
 #include "NormalContribution.h"
 #include "Scene.h"
-#include "Triangulation.h"
 
 /// One input of the ray tracer. Smooth, with computed normals, unless told otherwise.
 struct Body
 {
   Shape shape;
-  lambent::CellKind kind = lambent::CellKind::Polygons;
+  bool hasStrips = false; ///< the cells are strips, not polygons
   bool hasFloatPoints = false;
   bool has32BitIds = false;
   std::vector<Vec3> pointNormals; ///< one a point, or none

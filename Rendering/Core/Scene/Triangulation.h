@@ -12,7 +12,7 @@
  * - Where triangles of that fan are turned the other way, by more than rounding, the
  *   outline touches itself or crosses itself. If it touches itself, it is cut once more
  *   by the rules of TouchingPolygon.h; if it crosses itself, it stays as it was cut.
- * - A strip alternates, so that all of its triangles face the way of the first.
+ * - A strip has been cut by mergeFaces() already; only its bad points are looked for.
  *
  * A polygon of n points gives n - 2 triangles whatever its shape, so that each
  * cell knows its place in the list and cells can be cut in parallel. A cell with a
@@ -24,6 +24,7 @@
 #ifndef lambent_Triangulation_h
 #define lambent_Triangulation_h
 
+#include "MergedFaces.h"
 #include "Parallel.h"
 #include "Spans.h"
 
@@ -31,22 +32,20 @@
 
 namespace lambent
 {
-enum class CellKind
-{
-  Polygons,
-  Strips
-};
-
 struct TriangleList
 {
   std::vector<std::int32_t> corners; ///< three a triangle
   std::vector<std::int64_t> cells;   ///< one a triangle
 };
 
-/// Append the triangles of cells, which are numbered from firstCell on, to a list.
-/// Their offsets must not be broken; there may be at most 2^31 - 1 points.
-void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
-  std::int64_t firstCell, const Parallel& parallel, TriangleList& list);
+/// The triangles of polygons, which are numbered from firstCell on. Their offsets must not be
+/// broken; there may be at most 2^31 - 1 points.
+TriangleList triangulate(const CellSpan& polygons, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel);
+
+/// The same for a mesh with strips: its cells are numbered from firstCell on.
+TriangleList triangulate(const MergedFaces& faces, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel);
 }
 
 #endif
