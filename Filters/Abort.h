@@ -10,6 +10,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkVersion.h"
 
+namespace lambent::adapters
+{
 inline bool isAborted(vtkAlgorithm* filter)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
@@ -17,6 +19,7 @@ inline bool isAborted(vtkAlgorithm* filter)
 #else
   return filter->GetAbortExecute() != 0;
 #endif
+}
 }
 
 #endif

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FacesFromVTK.h"
 
-#include "CellBlocks.h"
+#include "MissingPoint.h"
 
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
+namespace lambent::adapters
+{
 namespace
 {
-lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
+TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
 {
   vtkPoints* points = polyData->GetPoints();
   if (points && points->GetData()->GetNumberOfComponents() != 3)
@@ -28,100 +28,66 @@ lambent::TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   return spans.tuples(points ? points->GetData() : nullptr);
 }
 
-[[noreturn]] void refuse(const lambent::CellDefect& defect, vtkIdType cell, std::size_t points)
+[[noreturn]] void refuse(const CellDefect& defect, vtkIdType cell, std::size_t points)
 {
   std::ostringstream text;
-  if (defect.kind == lambent::CellDefect::Offsets)
+  text << "Cell " << cell << " ";
+  if (defect.kind == CellDefect::Offsets)
   {
-    text << "Cell " << cell
-         << " begins or ends outside of the connectivity of its vtkCellArray. Rebuild the "
+    text << "begins or ends outside of the connectivity of its vtkCellArray. Rebuild the "
             "array, for instance with InsertNextCell().";
   }
   else
   {
-    text << "Cell " << cell << " names point " << defect.point << ", but there are ";
-    if (points > 0)
-    {
-      text << points << " points, 0 to " << points - 1;
-    }
-    else
-    {
-      text << "no points";
-    }
-    text << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
+    text << describeMissingPoint(defect.point, static_cast<vtkIdType>(points));
   }
   throw std::runtime_error(text.str());
 }
+
+/// Vertices or lines: nothing is made of them, but downstream filters follow what they name.
+/// Returns how many there are.
+vtkIdType checkOthers(
+  const CellSpan& cells, vtkIdType firstCell, std::size_t points, const Parallel& parallel)
+{
+  const CellDefect defect = checkCells(cells, points, parallel).defect;
+  if (defect)
+  {
+    refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), points);
+  }
+  return static_cast<vtkIdType>(cellCount(cells));
+}
 }
 
-FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel)
+FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel)
 {
-  this->Faces.points = pointsOf(polyData, this->Spans);
-  vtkCellArray* const arrays[] = { polyData->GetVerts(), polyData->GetLines(), polyData->GetPolys(),
-    polyData->GetStrips() };
-  lambent::CellSpan lists[4];
-  lambent::CheckedCells checked[4];
-  vtkIdType firstCell = 0;
-  for (int i = 0; i < 4; ++i)
+  const TupleSpan points = pointsOf(polyData, this->Spans);
+  vtkIdType firstPolygon =
+    checkOthers(this->Spans.cells(polyData->GetVerts()), 0, points.size, Share(parallel, 0.0, 0.1));
+  firstPolygon += checkOthers(
+    this->Spans.cells(polyData->GetLines()), firstPolygon, points.size, Share(parallel, 0.1, 0.2));
+  this->Checked = checkFaces(points, this->Spans.cells(polyData->GetPolys()),
+    this->Spans.cells(polyData->GetStrips()), Share(parallel, 0.2, 1.0));
+  if (const CellDefect& defect = this->Checked.defect)
   {
-    lists[i] = this->Spans.cells(arrays[i]);
-    checked[i] = lambent::checkCells(
-      lists[i], this->Faces.points.size, lambent::Share(parallel, 0.1 * i, 0.1 * (i + 1)));
-    if (const lambent::CellDefect& defect = checked[i].defect)
-    {
-      refuse(defect, firstCell + static_cast<vtkIdType>(defect.cell), this->Faces.points.size);
-    }
-    firstCell += static_cast<vtkIdType>(lambent::cellCount(lists[i]));
+    refuse(defect, firstPolygon + static_cast<vtkIdType>(defect.cell), points.size);
   }
-
-  const lambent::CellSpan& polygons = lists[2];
-  const lambent::CellSpan& strips = lists[3];
-  this->Faces.cells = polygons;
-  this->Faces.blocks = std::move(checked[2].blocks);
-  if (lambent::cellCount(strips) > 0)
+  if (this->Checked.notFinite > 0)
   {
-    this->Merged = lambent::mergeFaces(polygons, strips, lambent::Share(parallel, 0.4, 0.6));
-    this->setCells(this->Merged.span(), lambent::Share(parallel, 0.6, 0.7));
-  }
-  this->markNonFinite(polygons, strips, polyData->GetNumberOfVerts() + polyData->GetNumberOfLines(),
-    lambent::Share(parallel, 0.7, 1.0));
-}
-
-void FacesFromVTK::markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
-  vtkIdType firstPolygon, const lambent::Parallel& parallel)
-{
-  std::vector<unsigned char> cells =
-    lambent::findNonFinite(this->Faces.points, polygons, lambent::Share(parallel, 0.0, 0.5));
-  const std::vector<unsigned char> ofStrips =
-    lambent::findNonFinite(this->Faces.points, strips, lambent::Share(parallel, 0.5, 1.0));
-  cells.insert(cells.end(), ofStrips.begin(), ofStrips.end());
-  const auto first = std::find(cells.begin(), cells.end(), 1);
-  if (first == cells.end())
-  {
-    return;
-  }
-  std::ostringstream text;
-  text << std::count(first, cells.end(), 1)
-       << " cells have points with coordinates that are infinite or not numbers, and count for "
-          "nothing; the first is cell "
-       << firstPolygon + (first - cells.begin()) << ". Correct or remove them.";
-  this->Warning = text.str();
-
-  this->Faces.skip.resize(lambent::cellCount(this->Faces.cells));
-  for (std::size_t face = 0; face < this->Faces.skip.size(); ++face)
-  {
-    this->Faces.skip[face] = cells[this->cellOf(static_cast<std::int64_t>(face))];
+    std::ostringstream text;
+    text << this->Checked.notFinite
+         << " cells have points with coordinates that are infinite or not numbers, and count for "
+            "nothing; the first is cell "
+         << firstPolygon + static_cast<vtkIdType>(this->Checked.firstNotFinite)
+         << ". Correct or remove them.";
+    this->Warning = text.str();
   }
 }
 
-void FacesFromVTK::setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel)
+void FacesFromVTK::refer(vtkPolyData* rewritten, const Parallel& parallel)
 {
-  this->Faces.cells = cells;
-  this->Faces.blocks = lambent::checkCells(cells, this->Faces.points.size, parallel).blocks;
+  Faces& faces = this->Checked.faces;
+  faces.points = pointsOf(rewritten, this->Spans);
+  faces.cells = this->Spans.cells(rewritten->GetPolys());
+  faces.blocks = checkCells(faces.cells, faces.points.size, parallel).blocks;
 }
-
-void FacesFromVTK::refer(vtkPolyData* rewritten, const lambent::Parallel& parallel)
-{
-  this->Faces.points = pointsOf(rewritten, this->Spans);
-  this->setCells(this->Spans.cells(rewritten->GetPolys()), parallel);
 }

@@ -7,47 +7,41 @@
 #ifndef FacesFromVTK_h
 #define FacesFromVTK_h
 
-#include "MergedFaces.h"
-#include "PointNormals.h"
+#include "CheckedFaces.h"
 #include "SpansFromVTK.h"
 
 #include <string>
 
 class vtkPolyData;
 
+namespace lambent::adapters
+{
 class FacesFromVTK
 {
 public:
   /// The polydata must outlive this object. Throws std::runtime_error, with what to
   /// do about it, if a cell names a point that does not exist.
-  FacesFromVTK(vtkPolyData* polyData, const lambent::Parallel& parallel);
+  FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel);
 
-  const lambent::Faces& faces() const { return this->Faces; }
+  const Faces& faces() const { return this->Checked.faces; }
   /// Also if they are all too short to have a triangle.
-  bool hasStrips() const { return !this->Merged.offsets.empty(); }
+  bool hasStrips() const { return !this->Checked.merged.isEmpty(); }
 
   /// How many cells count for nothing because of coordinates that are not finite;
   /// empty if none.
   const std::string& warning() const { return this->Warning; }
 
   /// The cell, counted from the first polygon, that a face is of.
-  std::int64_t cellOf(std::int64_t face) const
-  {
-    return this->hasStrips() ? this->Merged.cells[face] : face;
-  }
+  std::int64_t cellOf(std::int64_t face) const { return this->Checked.cellOf(face); }
 
   /// From now on take points and polygons from the same mesh after a rewrite.
-  void refer(vtkPolyData* rewritten, const lambent::Parallel& parallel);
+  void refer(vtkPolyData* rewritten, const Parallel& parallel);
 
 private:
-  void setCells(const lambent::CellSpan& cells, const lambent::Parallel& parallel);
-  void markNonFinite(const lambent::CellSpan& polygons, const lambent::CellSpan& strips,
-    vtkIdType firstPolygon, const lambent::Parallel& parallel);
-
   SpansFromVTK Spans;
-  lambent::MergedFaces Merged; ///< empty where there are no strips
-  lambent::Faces Faces;
+  CheckedFaces Checked;
   std::string Warning;
 };
+}
 
 #endif

@@ -19,6 +19,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace lambent::adapters
+{
 namespace
 {
 vtkSmartPointer<vtkIdList> consecutiveIds(vtkIdType first, vtkIdType count)
@@ -29,12 +31,11 @@ vtkSmartPointer<vtkIdList> consecutiveIds(vtkIdType first, vtkIdType count)
   return ids;
 }
 
-vtkSmartPointer<vtkTypeInt64Array> toArray(
-  const lambent::IndexSpan& indices, const lambent::Parallel& parallel)
+vtkSmartPointer<vtkTypeInt64Array> toArray(const IndexSpan& indices, const Parallel& parallel)
 {
   auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
   array->SetNumberOfValues(static_cast<vtkIdType>(indices.size));
-  lambent::forEachPart(parallel, indices.size,
+  forEachPart(parallel, indices.size,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -97,10 +98,10 @@ void copyPoints(
 }
 
 void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity,
-  vtkPolyData* output, const lambent::Parallel& parallel)
+  vtkPolyData* output, const Parallel& parallel)
 {
-  const lambent::CellSpan& cells = mesh.faces().cells;
-  const auto faces = static_cast<vtkIdType>(lambent::cellCount(cells));
+  const CellSpan& cells = mesh.faces().cells;
+  const auto faces = static_cast<vtkIdType>(cellCount(cells));
   if (mesh.hasStrips())
   {
     const vtkIdType others = output->GetNumberOfVerts() + output->GetNumberOfLines();
@@ -117,12 +118,12 @@ void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& conn
   vtkNew<vtkCellArray> polygons;
   if (faces > 0)
   {
-    const auto offsets = toArray(cells.offsets, lambent::Share(parallel, 0.0, 0.3));
+    const auto offsets = toArray(cells.offsets, Share(parallel, 0.0, 0.3));
     const bool isReplaced = !connectivity.empty();
     polygons->SetData(offsets,
-      toArray(isReplaced ? lambent::IndexSpan{ connectivity.data(), true, connectivity.size() }
+      toArray(isReplaced ? IndexSpan{ connectivity.data(), true, connectivity.size() }
                          : cells.connectivity,
-        lambent::Share(parallel, 0.3, 1.0)));
+        Share(parallel, 0.3, 1.0)));
   }
   output->SetPolys(polygons);
   // What a shallow copy shares with the input, and what described the old cells.
@@ -130,10 +131,10 @@ void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& conn
   output->DeleteLinks();
 }
 
-void reversePolygons(vtkPolyData* output, const lambent::Parallel& parallel)
+void reversePolygons(vtkPolyData* output, const Parallel& parallel)
 {
   vtkCellArray* polygons = output->GetPolys();
-  lambent::forEachPart(parallel, static_cast<std::size_t>(polygons->GetNumberOfCells()),
+  forEachPart(parallel, static_cast<std::size_t>(polygons->GetNumberOfCells()),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -141,4 +142,5 @@ void reversePolygons(vtkPolyData* output, const lambent::Parallel& parallel)
         polygons->ReverseCellAtId(static_cast<vtkIdType>(i));
       }
     });
+}
 }

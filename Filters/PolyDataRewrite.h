@@ -14,13 +14,16 @@
 #include <cstdint>
 #include <vector>
 
-class FacesFromVTK;
 class vtkPolyData;
 
 namespace lambent
 {
 class Parallel;
 }
+
+namespace lambent::adapters
+{
+class FacesFromVTK;
 
 /// Append a copy of each of these points of the input, with its point data.
 void copyPoints(
@@ -29,9 +32,10 @@ void copyPoints(
 /// Make the faces of the mesh the output's polygons, with another connectivity of the
 /// same length unless that is empty. No strips are left; cell data follows.
 void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity,
-  vtkPolyData* output, const lambent::Parallel& parallel);
+  vtkPolyData* output, const Parallel& parallel);
 
 /// Let the points of each polygon run the other way. Only after setPolygons().
-void reversePolygons(vtkPolyData* output, const lambent::Parallel& parallel);
+void reversePolygons(vtkPolyData* output, const Parallel& parallel);
+}
 
 #endif

@@ -19,8 +19,10 @@
 #include <unistd.h>
 #endif
 
+namespace lambent::adapters
+{
 /// As many workers as vtkSMPTools has threads, on whatever backend is in use.
-class SMPParallel : public lambent::Parallel
+class SMPParallel : public Parallel
 {
 public:
   int workers() const override { return this->Count; }
@@ -55,5 +57,6 @@ private:
 
   const int Count = hasLostThreads() ? 1 : std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
 };
+}
 
 #endif

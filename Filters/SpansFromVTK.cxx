@@ -6,9 +6,11 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
+namespace lambent::adapters
+{
 namespace
 {
-lambent::IndexSpan toIndices(vtkDataArray* array)
+IndexSpan toIndices(vtkDataArray* array)
 {
   return { array->GetVoidPointer(0), array->GetDataTypeSize() == 8,
     static_cast<std::size_t>(array->GetNumberOfValues()) };
@@ -24,7 +26,7 @@ bool areStoredPlainly(vtkDataArray* offsets, vtkDataArray* connectivity)
 }
 }
 
-lambent::TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
+TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
 {
   if (!array || array->GetNumberOfTuples() == 0)
   {
@@ -42,7 +44,7 @@ lambent::TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
     static_cast<std::size_t>(array->GetNumberOfTuples()) };
 }
 
-lambent::CellSpan SpansFromVTK::cells(vtkCellArray* array)
+CellSpan SpansFromVTK::cells(vtkCellArray* array)
 {
   if (!array || array->GetNumberOfCells() == 0)
   {
@@ -57,4 +59,5 @@ lambent::CellSpan SpansFromVTK::cells(vtkCellArray* array)
     array = copy;
   }
   return { toIndices(array->GetOffsetsArray()), toIndices(array->GetConnectivityArray()) };
+}
 }

@@ -21,16 +21,19 @@
 class vtkCellArray;
 class vtkDataArray;
 
+namespace lambent::adapters
+{
 class SpansFromVTK
 {
 public:
   /// Tuples of three components; nullptr gives none.
-  lambent::TupleSpan tuples(vtkDataArray* array);
+  TupleSpan tuples(vtkDataArray* array);
   /// nullptr, and no cells, give none.
-  lambent::CellSpan cells(vtkCellArray* array);
+  CellSpan cells(vtkCellArray* array);
 
 private:
   std::vector<vtkSmartPointer<vtkObjectBase>> Converted;
 };
+}
 
 #endif

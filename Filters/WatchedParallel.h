@@ -10,6 +10,8 @@
 #include "Abort.h"
 #include "SMPParallel.h"
 
+namespace lambent::adapters
+{
 /// What a checkpoint throws when the filter shall stop.
 struct Aborted
 {
@@ -47,5 +49,6 @@ private:
   vtkAlgorithm* const Filter;
   mutable double Told = -1.0;
 };
+}
 
 #endif

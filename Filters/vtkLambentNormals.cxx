@@ -21,6 +21,13 @@
 #include <new>
 #include <stdexcept>
 
+using lambent::adapters::Aborted;
+using lambent::adapters::copyPoints;
+using lambent::adapters::FacesFromVTK;
+using lambent::adapters::reversePolygons;
+using lambent::adapters::setPolygons;
+using lambent::adapters::WatchedParallel;
+
 namespace
 {
 constexpr const char* NormalsName = "Normals";

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IdleSettings.h"
 
-#include "SceneFromVTK.h"
-#include "vtkLambentRayTracer.h"
+#include "AppearanceFromVTK.h"
+#include "CameraFromVTK.h"
+#include "SceneSettings.h"
 
-#include "vtkCollectionRange.h"
 #include "vtkLight.h"
-#include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -16,11 +14,11 @@
 #include <unordered_map>
 #include <utility>
 
+namespace lambent::adapters
+{
 namespace
 {
 using Messages = std::vector<std::string>;
-
-constexpr double defaultFeatureAngle = 30.0; // degrees
 
 /// `whose` begins the message.
 void addProperty(Messages& messages, const std::string& whose, vtkProperty* property)
@@ -57,7 +55,7 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
 }
 
 /// Names the inputs in a few words, however many they are.
-std::string nameInputs(const std::vector<int>& inputs)
+std::string nameInputs(const std::vector<std::size_t>& inputs)
 {
   const std::size_t others = inputs.size() - 1;
   return "Input " + std::to_string(inputs.front()) +
@@ -65,22 +63,23 @@ std::string nameInputs(const std::vector<int>& inputs)
 }
 
 /// Each property once, however many inputs share it.
-void addProperties(Messages& messages, vtkLambentRayTracer* filter)
+void addProperties(Messages& messages, const SceneSettings& settings)
 {
-  vtkProperty* const common = filter->GetProperty();
+  vtkProperty* const common = settings.property;
   bool isCommonUsed = false;
-  std::vector<std::pair<vtkProperty*, std::vector<int>>> users; // by the first input of each
+  std::vector<std::pair<vtkProperty*, std::vector<std::size_t>>>
+    users; // by the first input of each
   std::unordered_map<vtkProperty*, std::size_t> placeOf;
-  for (int k = 0; k < filter->GetNumberOfInputConnections(0); ++k)
+  for (std::size_t k = 0; k < settings.inputs.size(); ++k)
   {
-    vtkProperty* const own = filter->GetInputProperty(k);
+    vtkProperty* const own = settings.inputs[k].property;
     isCommonUsed = isCommonUsed || !own || own == common;
     if (own && own != common)
     {
       const auto [place, isNew] = placeOf.emplace(own, users.size());
       if (isNew)
       {
-        users.emplace_back(own, std::vector<int>());
+        users.emplace_back(own, std::vector<std::size_t>());
       }
       users[place->second].second.push_back(k);
     }
@@ -96,20 +95,17 @@ void addProperties(Messages& messages, vtkLambentRayTracer* filter)
 }
 
 /// Why no normals are computed, and what to do; empty if there are some, or nothing is drawn.
-std::string whyNoNormalsAreComputed(
-  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
+std::string whyNoNormalsAreComputed(const SceneSettings& settings)
 {
   bool isAnyDrawn = false, isAnySmooth = false;
-  for (int k = 0; k < static_cast<int>(inputs.size()); ++k)
+  for (const SceneSettings::Input& input : settings.inputs)
   {
-    if (inputs[k]->GetNumberOfPolys() + inputs[k]->GetNumberOfStrips() == 0)
+    if (input.mesh->GetNumberOfPolys() + input.mesh->GetNumberOfStrips() == 0)
     {
       continue;
     }
-    vtkProperty* const own = filter->GetInputProperty(k);
-    const bool isSmooth =
-      appearanceFromVTK(own ? own : filter->GetProperty()).shading == lambent::Shading::Smooth;
-    if (isSmooth && !(filter->GetUsePointNormals() && inputs[k]->GetPointData()->GetNormals()))
+    const bool isSmooth = appearanceFromVTK(settings.propertyOf(input)).shading == Shading::Smooth;
+    if (isSmooth && !(settings.usePointNormals && input.mesh->GetPointData()->GetNormals()))
     {
       return "";
     }
@@ -124,13 +120,11 @@ std::string whyNoNormalsAreComputed(
       "SetInterpolationToPhong()";
 }
 
-void addNormalSettings(
-  Messages& messages, vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
+void addNormalSettings(Messages& messages, const SceneSettings& settings)
 {
-  const bool isAngleSet = filter->GetFeatureAngle() != defaultFeatureAngle;
-  const bool isSplittingOff = !filter->GetSplitting();
-  const std::string reason =
-    isAngleSet || isSplittingOff ? whyNoNormalsAreComputed(filter, inputs) : "";
+  const bool isAngleSet = settings.featureAngle != SceneSettings().featureAngle;
+  const bool isSplittingOff = !settings.splitting;
+  const std::string reason = isAngleSet || isSplittingOff ? whyNoNormalsAreComputed(settings) : "";
   if (!reason.empty() && isAngleSet)
   {
     messages.push_back("SetFeatureAngle() has no effect: " + reason + ", or set it back to 30.");
@@ -150,38 +144,36 @@ bool isWithoutDirection(vtkLight* light)
     from[2] == to[2];
 }
 
-void addLights(Messages& messages, vtkLambentRayTracer* filter)
+void addLights(Messages& messages, const SceneSettings& settings)
 {
-  int index = 0;
-  for (vtkLight* light : vtk::Range(filter->GetLights()))
+  for (std::size_t k = 0; k < settings.lights.size(); ++k)
   {
-    if (light->GetSwitch() && isWithoutDirection(light))
+    if (settings.lights[k]->GetSwitch() && isWithoutDirection(settings.lights[k]))
     {
-      messages.push_back("Light " + std::to_string(index) +
+      messages.push_back("Light " + std::to_string(k) +
         " gives no diffuse light: it stands at its own focal point, so that it shines in no "
         "direction. Call "
         "vtkLight::SetPosition() or SetFocalPoint().");
     }
-    ++index;
   }
 }
 }
 
-std::vector<std::string> findIdleSettings(
-  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs)
+std::vector<std::string> findIdleSettings(const SceneSettings& settings)
 {
   Messages messages;
-  if (filter->GetCamera())
+  if (settings.camera)
   {
-    const std::string names = unsupportedSettings(filter->GetCamera());
+    const std::string names = unsupportedSettings(settings.camera);
     if (!names.empty())
     {
       messages.push_back(
         "The camera has settings that are not supported and are ignored: " + names + ".");
     }
   }
-  addProperties(messages, filter);
-  addNormalSettings(messages, filter, inputs);
-  addLights(messages, filter);
+  addProperties(messages, settings);
+  addNormalSettings(messages, settings);
+  addLights(messages, settings);
   return messages;
+}
 }

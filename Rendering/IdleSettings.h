@@ -12,12 +12,13 @@
 #include <string>
 #include <vector>
 
-class vtkLambentRayTracer;
-class vtkPolyData;
+namespace lambent::adapters
+{
+struct SceneSettings;
 
-/// Of the camera, the lights, the properties that are in use, and how the filter is to compute
-/// normals. An input for each connection.
-std::vector<std::string> findIdleSettings(
-  vtkLambentRayTracer* filter, const std::vector<vtkPolyData*>& inputs);
+/// Of the camera, the lights, the properties that are in use, and how normals are to be
+/// computed.
+std::vector<std::string> findIdleSettings(const SceneSettings& settings);
+}
 
 #endif

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+namespace lambent::adapters
+{
 namespace
 {
 /// Where a connection comes from: a filter and its output port.
@@ -99,4 +101,5 @@ void InputSettings::move(const std::vector<int>& numbers, int fewer)
     }
   }
   this->Settings = std::move(moved);
+}
 }

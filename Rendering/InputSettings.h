@@ -21,6 +21,8 @@
 
 class vtkAlgorithm;
 
+namespace lambent::adapters
+{
 struct InputSetting
 {
   vtkSmartPointer<vtkProperty> Property; ///< none: that of all inputs
@@ -47,5 +49,6 @@ private:
 
   std::map<int, InputSetting> Settings;
 };
+}
 
 #endif

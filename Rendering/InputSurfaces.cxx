@@ -3,6 +3,7 @@
 #include "InputSurfaces.h"
 
 #include "Chunks.h"
+#include "InputShares.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -12,11 +13,10 @@
 #include <cctype>
 #include <stdexcept>
 
+namespace lambent::adapters
+{
 namespace
 {
-// Below that many triangles threads work on different inputs, not on one together.
-constexpr std::size_t trianglesOfSmall = 32 * 1024;
-
 /// Calls body() and puts the input's number before the message of what it throws, which may
 /// have begun a sentence.
 template <typename Body>
@@ -39,9 +39,10 @@ void forInput(std::size_t input, Body&& body)
 }
 
 InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-  const std::vector<lambent::Appearance>& appearances, const lambent::Parallel& parallel)
+  const std::vector<Appearance>& appearances, const Parallel& parallel)
   : Inputs(inputs)
 {
+  InputShares shares(inputs, parallel);
   std::size_t triangles = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
@@ -49,10 +50,10 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       [&]()
       {
         this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], parallel));
+          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
         this->FirstTriangles.push_back(triangles);
         triangles += this->Surfaces[k]->surface().triangleCount();
-        if (triangles >= lambent::noTriangle)
+        if (triangles >= noTriangle)
         {
           throw std::runtime_error(
             "with it the scene has more than 4294967294 triangles, the most that it can have.");
@@ -61,14 +62,14 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   }
 }
 
-void InputSurfaces::addNormals(bool useOwn, double featureAngle, const lambent::Parallel& parallel)
+void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel& parallel)
 {
   std::vector<std::size_t> small, large; // those whose normals are to be computed
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
     vtkDataArray* const own = this->Inputs[k]->GetPointData()->GetNormals();
-    if (surface.surface().appearance.shading != lambent::Shading::Smooth ||
+    if (surface.surface().appearance.shading != Shading::Smooth ||
       surface.surface().triangleCount() == 0)
     {
       continue;
@@ -82,21 +83,21 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const lambent::
   }
   this->HasComputedNormals = !small.empty() || !large.empty();
   const double count = static_cast<double>(std::max<std::size_t>(large.size(), 1) + 1);
-  this->computeSmallNormals(small, featureAngle, lambent::Share(parallel, 0.0, 1.0 / count));
+  this->computeSmallNormals(small, featureAngle, Share(parallel, 0.0, 1.0 / count));
   for (std::size_t k = 0; k < large.size(); ++k)
   {
-    const lambent::Share share(parallel, (k + 1) / count, (k + 2) / count);
+    const Share share(parallel, (k + 1) / count, (k + 2) / count);
     forInput(large[k], [&]() { this->Surfaces[large[k]]->computeNormals(featureAngle, share); });
   }
 }
 
 /// Each by one thread, several at a time. If some fail, the first input's error is thrown.
 void InputSurfaces::computeSmallNormals(
-  const std::vector<std::size_t>& inputs, double featureAngle, const lambent::Parallel& parallel)
+  const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel)
 {
   constexpr std::size_t inputsPerChunk = 16, inputsPerPart = 64 * inputsPerChunk;
   std::vector<std::string> failures(inputs.size());
-  lambent::forEachChunk<inputsPerChunk, inputsPerPart>(parallel, inputs.size(),
+  forEachChunk<inputsPerChunk, inputsPerPart>(parallel, inputs.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t k = begin; k < end; ++k)
@@ -104,8 +105,7 @@ void InputSurfaces::computeSmallNormals(
         try
         {
           forInput(inputs[k],
-            [&]()
-            { this->Surfaces[inputs[k]]->computeNormals(featureAngle, lambent::Parallel()); });
+            [&]() { this->Surfaces[inputs[k]]->computeNormals(featureAngle, Parallel()); });
         }
         catch (const std::runtime_error& failure)
         {
@@ -121,9 +121,9 @@ void InputSurfaces::computeSmallNormals(
   }
 }
 
-std::vector<lambent::Surface> InputSurfaces::surfaces() const
+std::vector<Surface> InputSurfaces::surfaces() const
 {
-  std::vector<lambent::Surface> result;
+  std::vector<Surface> result;
   for (const auto& surface : this->Surfaces)
   {
     result.push_back(surface->surface());
@@ -139,18 +139,19 @@ InputSurfaces::Place InputSurfaces::find(std::size_t triangle) const
   return { input, this->Surfaces[input]->surface().cellOf(triangle - this->FirstTriangles[input]) };
 }
 
-std::string InputSurfaces::describeWrongCorner(const lambent::MeshDefects& defects) const
+std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.wrongCorner);
   return "Input " + std::to_string(place.input) + ": " +
     this->Surfaces[place.input]->describeWrongCell(place.cell);
 }
 
-std::string InputSurfaces::describeNotFinite(const lambent::MeshDefects& defects) const
+std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.firstNotFinite);
   return std::to_string(defects.notFinite) +
     (defects.notFinite == 1 ? " cell has a point that is" : " cells have a point that is") +
     " not finite and cannot be drawn; the first is cell " + std::to_string(place.cell) +
     " of input " + std::to_string(place.input) + ". Remove such cells or correct their points.";
+}
 }

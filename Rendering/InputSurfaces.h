@@ -15,17 +15,19 @@
 #include <string>
 #include <vector>
 
+namespace lambent::adapters
+{
 class InputSurfaces
 {
 public:
   /// Surface k is that of inputs[k] with appearances[k]. Throws std::runtime_error
   /// with a message that names the input, as do the others.
-  InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-    const std::vector<lambent::Appearance>& appearances, const lambent::Parallel& parallel);
+  InputSurfaces(const std::vector<vtkPolyData*>& inputs, const std::vector<Appearance>& appearances,
+    const Parallel& parallel);
 
   /// Give those that are shaded smooth normals: the inputs' own where they have some and
   /// these are wanted, computed ones otherwise.
-  void addNormals(bool useOwn, double featureAngle, const lambent::Parallel& parallel);
+  void addNormals(bool useOwn, double featureAngle, const Parallel& parallel);
   /// Whether it has computed some.
   bool hasComputedNormals() const { return this->HasComputedNormals; }
 
@@ -37,21 +39,22 @@ public:
   };
   Place find(std::size_t triangle) const;
 
-  std::vector<lambent::Surface> surfaces() const;
+  std::vector<Surface> surfaces() const;
 
   /// The message about a corner that names a point that does not exist.
-  std::string describeWrongCorner(const lambent::MeshDefects& defects) const;
+  std::string describeWrongCorner(const MeshDefects& defects) const;
   /// The message about cells with points that are not finite.
-  std::string describeNotFinite(const lambent::MeshDefects& defects) const;
+  std::string describeNotFinite(const MeshDefects& defects) const;
 
 private:
   void computeSmallNormals(
-    const std::vector<std::size_t>& inputs, double featureAngle, const lambent::Parallel& parallel);
+    const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel);
 
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
   std::vector<std::size_t> FirstTriangles; ///< of each, counted over all
   bool HasComputedNormals = false;
 };
+}
 
 #endif

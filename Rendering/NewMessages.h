@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace lambent::adapters
+{
 class NewMessages
 {
 public:
@@ -33,5 +35,6 @@ public:
 private:
   std::vector<std::string> Last;
 };
+}
 
 #endif

@@ -18,6 +18,8 @@
 
 #include <new>
 
+namespace lambent::adapters
+{
 namespace
 {
 /// Refuse what the machine's memory certainly cannot hold. Most systems would
@@ -37,12 +39,12 @@ void checkMemory(double bytes)
 }
 }
 
-lambent::Image allocateImage(
+Image allocateImage(
   const int size[2], int scalarType, vtkInformation* outInfo, vtkImageData* output)
 {
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
-  lambent::Image image;
+  Image image;
   image.width = size[0];
   image.height = size[1];
   image.part = { extent[0], extent[1] + 1, extent[2], extent[3] + 1 };
@@ -83,7 +85,7 @@ void addIds(
       for (vtkIdType k = begin; k < end; ++k)
       {
         cell[k] = input[k] = -1;
-        if (triangles[k] != lambent::noTriangle)
+        if (triangles[k] != noTriangle)
         {
           const InputSurfaces::Place place = surfaces.find(triangles[k]);
           cell[k] = static_cast<vtkIdType>(place.cell);
@@ -93,4 +95,5 @@ void addIds(
     });
   output->GetPointData()->AddArray(cells);
   output->GetPointData()->AddArray(inputs);
+}
 }

@@ -3,13 +3,13 @@
 #include "SurfaceFromVTK.h"
 
 #include "CellSizes.h"
+#include "CheckedFaces.h"
 #include "Chunks.h"
-#include "FacesFromVTK.h"
+#include "MissingPoint.h"
 #include "TriangleNormals.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -17,7 +17,10 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+namespace lambent::adapters
+{
 namespace
 {
 std::string describe(vtkDataArray* array)
@@ -28,14 +31,14 @@ std::string describe(vtkDataArray* array)
 }
 
 SurfaceFromVTK::SurfaceFromVTK(
-  vtkPolyData* polyData, const lambent::Appearance& appearance, const lambent::Parallel& parallel)
+  vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel)
   : Input(polyData)
 {
   this->Result.appearance = appearance;
   this->setPoints();
   this->setCells(parallel);
   vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
-  if (cellNormals && appearance.shading == lambent::Shading::Flat)
+  if (cellNormals && appearance.shading == Shading::Flat)
   {
     this->Result.cellNormals = this->normals(cellNormals, polyData->GetNumberOfCells(), "cell");
   }
@@ -46,28 +49,32 @@ void SurfaceFromVTK::setPointNormals(vtkDataArray* normals)
   this->Result.pointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point");
 }
 
-void SurfaceFromVTK::computeNormals(double featureAngle, const lambent::Parallel& parallel)
+void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& parallel)
 {
-  const FacesFromVTK mesh(this->Input, lambent::Share(parallel, 0.0, 0.2));
-  this->Normals =
-    lambent::computeCornerNormals(mesh.faces(), featureAngle, lambent::Share(parallel, 0.2, 0.95));
+  const CheckedFaces checked = checkFaces(this->Result.points, this->Polygons, this->Strips,
+    Share(parallel, 0.0, 0.2), std::move(this->Merged));
+  if (checked.defect)
+  {
+    throw std::runtime_error(this->describeWrongCell(
+      this->firstPolygon() + static_cast<std::int64_t>(checked.defect.cell)));
+  }
+  this->Normals = computeCornerNormals(checked.faces, featureAngle, Share(parallel, 0.2, 0.95));
   this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
   if (!this->Normals.numbers)
   {
     return;
   }
-  const lambent::IndexSpan& corners = this->Result.corners;
+  const IndexSpan& corners = this->Result.corners;
   this->Result.normalNumbers = { this->Normals.numbers.get(), false, corners.size };
   if (!this->Triangles.corners.empty())
   {
-    this->NormalNumbers = lambent::numbersOfTriangles(
-      mesh.faces().cells, this->Normals, corners, lambent::Share(parallel, 0.95, 1.0));
+    this->NormalNumbers =
+      numbersOfTriangles(checked.faces.cells, this->Normals, corners, Share(parallel, 0.95, 1.0));
     this->Result.normalNumbers.data = this->NormalNumbers.data();
   }
 }
 
-lambent::TupleSpan SurfaceFromVTK::normals(
-  vtkDataArray* normals, vtkIdType expected, const char* kind)
+TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, const char* kind)
 {
   if (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != expected)
   {
@@ -97,74 +104,65 @@ void SurfaceFromVTK::setPoints()
   this->Result.points = this->Spans.tuples(points->GetData());
 }
 
-void SurfaceFromVTK::setCells(const lambent::Parallel& parallel)
+void SurfaceFromVTK::setCells(const Parallel& parallel)
 {
-  vtkPolyData* input = this->Input;
-  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
-  const lambent::CellSpan polygons = this->Spans.cells(input->GetPolys());
-  const lambent::CellSpan strips = this->Spans.cells(input->GetStrips());
-  const lambent::CellSizes sizes = inspect(polygons, parallel);
-  if (sizes == lambent::CellSizes::Broken ||
-    inspect(strips, parallel) == lambent::CellSizes::Broken)
+  this->Polygons = this->Spans.cells(this->Input->GetPolys());
+  this->Strips = this->Spans.cells(this->Input->GetStrips());
+  const CellSizes sizes = inspect(this->Polygons, Share(parallel, 0.0, 0.1));
+  if (sizes == CellSizes::Broken ||
+    inspect(this->Strips, Share(parallel, 0.1, 0.2)) == CellSizes::Broken)
   {
     throw std::runtime_error(std::string("the offsets of the ") +
-      (sizes == lambent::CellSizes::Broken ? "polygons" : "strips") +
+      (sizes == CellSizes::Broken ? "polygons" : "strips") +
       " decrease or reach beyond their connectivity. Rebuild the vtkCellArray, for instance "
       "with InsertNextCell().");
   }
-  if (sizes == lambent::CellSizes::Triangles && input->GetNumberOfStrips() == 0)
+  const bool hasStrips = cellCount(this->Strips) > 0;
+  if (sizes == CellSizes::Triangles && !hasStrips)
   {
-    this->Result.corners = polygons.connectivity;
-    this->Result.corners.size = 3 * static_cast<std::size_t>(input->GetNumberOfPolys());
-    this->Result.firstCell = firstPolygon;
+    this->Result.corners = this->Polygons.connectivity;
+    this->Result.corners.size = 3 * cellCount(this->Polygons);
+    this->Result.firstCell = this->firstPolygon();
     return;
   }
-  if (input->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
+  if (this->Input->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
   {
     throw std::runtime_error("polygons and strips of more than 2147483647 points cannot be cut "
                              "into triangles here. Run vtkTriangleFilter first.");
   }
-  triangulate(polygons, lambent::CellKind::Polygons, this->Result.points, firstPolygon, parallel,
-    this->Triangles);
-  triangulate(
-    strips, lambent::CellKind::Strips, this->Result.points, firstStrip, parallel, this->Triangles);
+  if (hasStrips)
+  {
+    this->Merged = mergeFaces(this->Polygons, this->Strips, Share(parallel, 0.2, 0.4));
+  }
+  const Share rest(parallel, 0.4, 1.0);
+  this->Triangles = hasStrips
+    ? triangulate(this->Merged, this->Result.points, this->firstPolygon(), rest)
+    : triangulate(this->Polygons, this->Result.points, this->firstPolygon(), rest);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
 }
 
+std::int64_t SurfaceFromVTK::firstPolygon() const
+{
+  return this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
+}
+
 std::string SurfaceFromVTK::describeWrongCell(std::int64_t cell) const
 {
-  const vtkIdType firstPolygon = this->Input->GetNumberOfVerts() + this->Input->GetNumberOfLines();
-  const vtkIdType firstStrip = firstPolygon + this->Input->GetNumberOfPolys();
-  vtkNew<vtkIdList> ids;
-  if (cell < firstStrip)
+  const auto place = static_cast<std::size_t>(cell - this->firstPolygon());
+  const std::size_t polygons = cellCount(this->Polygons);
+  const CellSpan& cells = place < polygons ? this->Polygons : this->Strips;
+  const std::size_t k = place < polygons ? place : place - polygons;
+  for (std::size_t corner = cells.offsets[k]; corner < cells.offsets[k + 1]; ++corner)
   {
-    this->Input->GetPolys()->GetCellAtId(cell - firstPolygon, ids);
-  }
-  else
-  {
-    this->Input->GetStrips()->GetCellAtId(cell - firstStrip, ids);
-  }
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  std::ostringstream text;
-  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-  {
-    const vtkIdType id = ids->GetId(k);
-    if (id < 0 || id >= points)
+    const std::uint64_t point = cells.connectivity[corner];
+    if (point >= this->Result.points.size)
     {
-      text << "cell " << cell << " names point " << id << ", but there are ";
-      if (points > 0)
-      {
-        text << points << " points, 0 to " << points - 1;
-      }
-      else
-      {
-        text << "no points";
-      }
-      text << ". Correct the connectivity of its vtkCellArray, or add the missing points.";
-      break;
+      return "cell " + std::to_string(cell) + " " +
+        describeMissingPoint(
+          static_cast<vtkIdType>(point), static_cast<vtkIdType>(this->Result.points.size));
     }
   }
-  return text.str();
+  return "";
+}
 }

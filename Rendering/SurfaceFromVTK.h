@@ -6,12 +6,14 @@
  *
  * Float and double points, normals and triangles are used where they are. Other
  * number types and memory layouts are converted, and polygons and strips cut into
- * triangles, into memory that the SurfaceFromVTK owns.
+ * triangles, into memory that the SurfaceFromVTK owns. Computed normals come from the same
+ * spans: nothing is converted or merged twice.
  */
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
 
 #include "CornerNormals.h"
+#include "MergedFaces.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "SpansFromVTK.h"
@@ -23,35 +25,40 @@
 class vtkDataArray;
 class vtkPolyData;
 
+namespace lambent::adapters
+{
 class SurfaceFromVTK
 {
 public:
   /// The polydata must outlive this object. Throws std::runtime_error, as do the
   /// others, with a message for the user.
-  SurfaceFromVTK(vtkPolyData* polyData, const lambent::Appearance& appearance,
-    const lambent::Parallel& parallel);
+  SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel);
 
-  const lambent::Surface& surface() const { return this->Result; }
+  const Surface& surface() const { return this->Result; }
 
   /// Normals for smooth shading, one for each point; they must outlive this object.
   void setPointNormals(vtkDataArray* normals);
   /// Computes them, one for each corner (CornerNormals.h).
-  void computeNormals(double featureAngle, const lambent::Parallel& parallel);
+  void computeNormals(double featureAngle, const Parallel& parallel);
 
   /// What is wrong with a cell that names a point that does not exist.
   std::string describeWrongCell(std::int64_t cell) const;
 
 private:
   void setPoints();
-  void setCells(const lambent::Parallel& parallel);
-  lambent::TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
+  void setCells(const Parallel& parallel);
+  std::int64_t firstPolygon() const;
+  TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
 
   vtkPolyData* Input;
-  lambent::Surface Result;
-  lambent::TriangleList Triangles;
-  lambent::CornerNormals Normals;          ///< where they are computed
+  CellSpan Polygons, Strips;
+  MergedFaces Merged; ///< of both, until normals are computed; empty where there are no strips
+  Surface Result;
+  TriangleList Triangles;
+  CornerNormals Normals;                   ///< where they are computed
   std::vector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
 };
+}
 
 #endif

@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLambentRayTracer.h"
 
+#include "AppearanceFromVTK.h"
 #include "CameraFrame.h"
-#include "Chunks.h"
-#include "FilterScene.h"
-#include "IdleSettings.h"
-#include "ImageContract.h"
+#include "CameraFromVTK.h"
 #include "InputSettings.h"
-#include "NewMessages.h"
-#include "OutputImage.h"
-#include "Render.h"
-#include "SceneFromVTK.h"
-#include "WatchedParallel.h"
+#include "InputSurfaces.h"
+#include "SMPParallel.h"
+#include "SceneSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
@@ -28,20 +23,14 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
+#include <exception>
 
-namespace
-{
-/// How much of the whole is done when normals have been computed, roughly.
-constexpr double normalsShare = 0.3;
-}
+using namespace lambent::adapters;
 
 struct vtkLambentRayTracer::Internals
 {
   vtkNew<vtkLightCollection> Lights;
   InputSettings Inputs;
-  NewMessages Warnings;
 };
 
 vtkStandardNewMacro(vtkLambentRayTracer);
@@ -50,19 +39,11 @@ vtkCxxSetObjectMacro(vtkLambentRayTracer, Property, vtkProperty);
 
 //------------------------------------------------------------------------------
 vtkLambentRayTracer::vtkLambentRayTracer()
-  : ImageSize{ 300, 300 }
-  , Camera(nullptr)
+  : Camera(nullptr)
   , Property(nullptr)
-  , AmbientModel(PER_LIGHT)
-  , TwoSidedLighting(1)
-  , Background{ 0.0, 0.0, 0.0 }
-  , GradientBackground(0)
-  , Background2{ 0.0, 0.0, 0.0 }
-  , OutputScalarType(VTK_UNSIGNED_CHAR)
   , UsePointNormals(1)
   , Splitting(1)
-  , FeatureAngle(30.0)
-  , GenerateIds(0)
+  , FeatureAngle(SceneSettings().featureAngle)
   , Internal(new Internals)
 {
   this->SetNumberOfInputPorts(1);
@@ -176,26 +157,6 @@ void vtkLambentRayTracer::RemoveInputConnection(int port, int idx)
     this, [&]() { this->Superclass::RemoveInputConnection(port, idx); }, idx);
 }
 
-void vtkLambentRayTracer::SetOutputScalarType(int type)
-{
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT)
-  {
-    vtkErrorMacro("SetOutputScalarType() was given type "
-      << type << "; it takes VTK_UNSIGNED_CHAR (3) or VTK_FLOAT (10).");
-    return;
-  }
-  if (this->OutputScalarType != type)
-  {
-    this->OutputScalarType = type;
-    this->Modified();
-  }
-}
-
-int vtkLambentRayTracer::GetImageContractVersion()
-{
-  return lambent::ImageContractVersion;
-}
-
 //------------------------------------------------------------------------------
 vtkMTimeType vtkLambentRayTracer::GetMTime()
 {
@@ -230,30 +191,6 @@ int vtkLambentRayTracer::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkLambentRayTracer::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  if (this->ImageSize[0] < 1 || this->ImageSize[1] < 1)
-  {
-    vtkErrorMacro("The image size is " << this->ImageSize[0] << " x " << this->ImageSize[1]
-                                       << "; both must be at least 1. Call SetImageSize().");
-    vtkImageData::GetData(outInfo)->Initialize();
-    return 0;
-  }
-  // The executive keeps the extent of a request that failed, and would add it to the
-  // next one, even if the image has become smaller since.
-  outInfo->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
-  const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
-  const double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
-  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  outInfo->Set(vtkDataObject::ORIGIN(), origin, 3);
-  outInfo->Set(vtkDataObject::SPACING(), spacing, 3);
-  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->OutputScalarType, 3);
-  return 1;
-}
-
 int vtkLambentRayTracer::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -270,94 +207,27 @@ int vtkLambentRayTracer::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-int vtkLambentRayTracer::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSettings& scene)
 {
-  vtkInformation* outInfo = outputs->GetInformationObject(0);
-  vtkImageData* output = vtkImageData::GetData(outInfo);
-  try
+  for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
-    this->MakePicture(inputs[0], outInfo, output);
-    return 1;
+    scene.inputs.push_back({ vtkPolyData::GetData(inputs[0], k), this->GetInputProperty(k) });
   }
-  catch (const Aborted&)
+  scene.camera = this->Camera;
+  for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
   {
-    // The executive shall not take the empty output for an up-to-date one.
-    output->Initialize();
-    outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-    return 1;
+    scene.lights.push_back(light);
   }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("There is not enough memory for an image of "
-      << this->ImageSize[0] << " x " << this->ImageSize[1]
-      << " pixels and the work on it. Call SetImageSize() with a smaller one, or ask for the "
-         "image in parts.");
-  }
-  catch (const std::exception& failure)
-  {
-    vtkErrorMacro(<< failure.what());
-  }
-  output->Initialize();
-  return 0;
-}
-
-void vtkLambentRayTracer::MakePicture(
-  vtkInformationVector* inputs, vtkInformation* outInfo, vtkImageData* output)
-{
-  std::vector<vtkPolyData*> meshes;
-  for (int k = 0; k < inputs->GetNumberOfInformationObjects(); ++k)
-  {
-    meshes.push_back(vtkPolyData::GetData(inputs, k));
-  }
-  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(this, meshes)))
-  {
-    vtkWarningMacro(<< warning);
-  }
-  const WatchedParallel parallel(this);
-  parallel.checkAbort(); // a StartEvent observer may already have aborted
-  this->SetProgressText("normals");
-  const FilterScene description(this, meshes, lambent::Share(parallel, 0.0, normalsShare));
-  const double begin = description.surfaces().hasComputedNormals() ? normalsShare : 0.0;
-  parallel.checkAbort();
-  this->SetProgressText("rendering");
-  lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
-  std::vector<std::uint32_t> triangles;
-  if (this->GenerateIds)
-  {
-    triangles.resize(output->GetNumberOfPoints());
-    image.triangles = triangles.data();
-  }
-  const lambent::Report report = lambent::render(description.scene(), image, parallel,
-    [&](double fraction)
-    {
-      this->UpdateProgress(begin + (1.0 - begin) * fraction);
-      return !isAborted(this);
-    });
-  if (report.outcome == lambent::Outcome::Aborted)
-  {
-    throw Aborted();
-  }
-  if (report.outcome == lambent::Outcome::BadMesh)
-  {
-    throw std::runtime_error(description.surfaces().describeWrongCorner(report.defects));
-  }
-  if (report.defects.notFinite > 0)
-  {
-    vtkWarningMacro(<< description.surfaces().describeNotFinite(report.defects));
-  }
-  if (this->GenerateIds)
-  {
-    addIds(triangles, description.surfaces(), output);
-  }
+  scene.property = this->Property;
+  scene.usePointNormals = this->UsePointNormals != 0;
+  scene.splitting = this->Splitting != 0;
+  scene.featureAngle = this->FeatureAngle;
 }
 
 //------------------------------------------------------------------------------
 void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto printColor = [&](const char* name, const double color[3])
-  { os << indent << name << ": (" << color[0] << ", " << color[1] << ", " << color[2] << ")\n"; };
   const auto printSwitch = [&](const char* name, vtkTypeBool value)
   { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
   const auto printObject = [&](const std::string& name, vtkObject* object)
@@ -373,7 +243,6 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
       os << " (none)\n";
     }
   };
-  os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
   printObject("Camera", this->Camera);
   printObject("Lights", this->Internal->Lights);
   printObject("Property", this->Property);
@@ -381,15 +250,7 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   {
     printObject("InputProperty " + std::to_string(own.first), own.second.Property);
   }
-  os << indent << "AmbientModel: " << (this->AmbientModel == SCENE ? "Scene" : "PerLight") << "\n";
-  printSwitch("TwoSidedLighting", this->TwoSidedLighting);
-  printColor("Background", this->Background);
-  printSwitch("GradientBackground", this->GradientBackground);
-  printColor("Background2", this->Background2);
-  os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
-     << "\n";
   printSwitch("UsePointNormals", this->UsePointNormals);
   printSwitch("Splitting", this->Splitting);
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  printSwitch("GenerateIds", this->GenerateIds);
 }

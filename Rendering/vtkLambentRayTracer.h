@@ -40,13 +40,10 @@
  * shading. Smooth inputs without point normals get some, which leave sharp edges
  * sharp (Splitting, FeatureAngle). Inputs are never modified.
  *
- * Output: vtkImageData of extent (0, width-1, 0, height-1, 0, 0), spacing 1,
- * origin 0, row 0 at the bottom, with the active point scalars "Color", 3
- * components of unsigned char (default) or float; with GenerateIds also "CellIds"
- * and "InputIds". A part of the extent that is asked for downstream is computed alone
- * and equals that part of the whole.
+ * Output, image size, background and further settings that all pictures have: see
+ * vtkLambentAlgorithm.
  *
- * Bad input: a cell that names a point that does not exist, normals of the
+ * Bad input: a polygon or strip that names a point that does not exist, normals of the
  * wrong length or kind, an image size below 1 or beyond memory, a view angle
  * outside (0, 180) degrees, a view-up parallel to the view direction and
  * non-finite settings are errors; they name the cause and the remedy, and the
@@ -74,38 +71,28 @@
  * Interface 2012. Smooth shading: B. T. Phong, CACM 18(6), 1975.
  *
  * @sa
- * vtkLambentNormals vtkCamera vtkLight vtkProperty
+ * vtkLambentAlgorithm vtkLambentNormals vtkCamera vtkLight vtkProperty
  */
 
 #ifndef vtkLambentRayTracer_h
 #define vtkLambentRayTracer_h
 
-#include "vtkImageAlgorithm.h"
+#include "vtkLambentAlgorithm.h"
 #include "vtkLambentModule.h" // For export macro
 
 #include <memory> // For the list of per-connection properties
 
 class vtkCamera;
-class vtkImageData;
 class vtkLight;
 class vtkLightCollection;
 class vtkProperty;
 
-class VTKLAMBENT_EXPORT vtkLambentRayTracer : public vtkImageAlgorithm
+class VTKLAMBENT_EXPORT vtkLambentRayTracer : public vtkLambentAlgorithm
 {
 public:
   static vtkLambentRayTracer* New();
-  vtkTypeMacro(vtkLambentRayTracer, vtkImageAlgorithm)
+  vtkTypeMacro(vtkLambentRayTracer, vtkLambentAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Width and height of the image in pixels. Each must be at least 1; what
-   * memory cannot hold is an error. Default: 300 x 300.
-   */
-  vtkSetVector2Macro(ImageSize, int);
-  vtkGetVector2Macro(ImageSize, int);
-  ///@}
 
   ///@{
   /**
@@ -184,66 +171,6 @@ public:
   void RemoveInputConnection(int port, int idx) override;
   ///@}
 
-  enum AmbientModelType
-  {
-    PER_LIGHT = 0,
-    SCENE = 1
-  };
-
-  ///@{
-  /**
-   * What the ambient reflection rho_a is multiplied with. PER_LIGHT: with the
-   * light that arrives from each light, so that every light adds an ambient
-   * term (the classroom model). SCENE: with 1, once, whatever the lights, as
-   * VTK's OpenGL renderer does. Default: PER_LIGHT.
-   */
-  vtkSetClampMacro(AmbientModel, int, PER_LIGHT, SCENE);
-  vtkGetMacro(AmbientModel, int);
-  void SetAmbientModelToPerLight() { this->SetAmbientModel(PER_LIGHT); }
-  void SetAmbientModelToScene() { this->SetAmbientModel(SCENE); }
-  ///@}
-
-  ///@{
-  /**
-   * Turn the normal towards the viewer where the back of a face is seen. The back
-   * is the side from which its points run clockwise; but where the sum of a triangle's
-   * three point normals (or its cell normal, if shaded flat) lies on that side, the
-   * other one is. So a mirrored mesh whose own normals point outward is lit from
-   * outside. Culling goes by the points alone. Off: the normal is used as it is, and
-   * faces seen from behind are usually dark. Default: on.
-   */
-  vtkSetMacro(TwoSidedLighting, vtkTypeBool);
-  vtkGetMacro(TwoSidedLighting, vtkTypeBool);
-  vtkBooleanMacro(TwoSidedLighting, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * The colour where nothing is hit, red, green, blue, usually in [0, 1]; finite.
-   * With GradientBackground it is the colour at the bottom edge of the image,
-   * and Background2 that at the top edge. Defaults: black, off, black.
-   */
-  vtkSetVector3Macro(Background, double);
-  vtkGetVector3Macro(Background, double);
-  vtkSetMacro(GradientBackground, vtkTypeBool);
-  vtkGetMacro(GradientBackground, vtkTypeBool);
-  vtkBooleanMacro(GradientBackground, vtkTypeBool);
-  vtkSetVector3Macro(Background2, double);
-  vtkGetVector3Macro(Background2, double);
-  ///@}
-
-  ///@{
-  /**
-   * The type of "Color": VTK_UNSIGNED_CHAR, floor(255 clamp(I, 0, 1) + 1/2), or
-   * VTK_FLOAT, I as it is, linear and not clamped. Any other type is an error.
-   * Default: VTK_UNSIGNED_CHAR.
-   */
-  virtual void SetOutputScalarType(int type);
-  vtkGetMacro(OutputScalarType, int);
-  void SetOutputScalarTypeToUnsignedChar() { this->SetOutputScalarType(VTK_UNSIGNED_CHAR); }
-  void SetOutputScalarTypeToFloat() { this->SetOutputScalarType(VTK_FLOAT); }
-  ///@}
-
   ///@{
   /**
    * Use the point normals that a smooth input has. Off, or where it has none, they are
@@ -279,63 +206,31 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
-  ///@{
-  /**
-   * Also tell what each pixel shows, in two more point arrays of vtkIdType: "CellIds",
-   * the cell of the input mesh, and "InputIds", the connection of port 0 that the mesh
-   * came by, counted from 0. Both are -1 where nothing is hit. Of several cells at the
-   * same depth it is the one of the smallest input, then of the smallest id. The
-   * colours stay the same. Takes 20 bytes a pixel. Default: off.
-   */
-  vtkSetMacro(GenerateIds, vtkTypeBool);
-  vtkGetMacro(GenerateIds, vtkTypeBool);
-  vtkBooleanMacro(GenerateIds, vtkTypeBool);
-  ///@}
-
   /**
    * The newest of this filter's own time and those of the camera, the lights
    * (and their transform matrices) and the properties.
    */
   vtkMTimeType GetMTime() override;
 
-  /**
-   * The version of the image contract. It changes only when the same scene can
-   * give other bits than before.
-   */
-  static int GetImageContractVersion();
-
 protected:
   vtkLambentRayTracer();
   ~vtkLambentRayTracer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void DescribeScene(
+    vtkInformationVector** inputs, lambent::adapters::SceneSettings& scene) override;
 
-  int ImageSize[2];
   vtkCamera* Camera;
   vtkProperty* Property;
-  int AmbientModel;
-  vtkTypeBool TwoSidedLighting;
-  double Background[3];
-  vtkTypeBool GradientBackground;
-  double Background2[3];
-  int OutputScalarType;
   vtkTypeBool UsePointNormals;
   vtkTypeBool Splitting;
   double FeatureAngle;
-  vtkTypeBool GenerateIds;
 
 private:
   vtkLambentRayTracer(const vtkLambentRayTracer&) = delete;
   void operator=(const vtkLambentRayTracer&) = delete;
-
-  /// Throws Aborted, or a std::exception with a message for the user.
-  void MakePicture(vtkInformationVector* inputs, vtkInformation* outInfo, vtkImageData* output);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellSizes.h"
 
+#include "Chunks.h"
+
 #include <hwy/cache_control.h>
 
 namespace lambent
@@ -51,11 +53,9 @@ CellSizes inspect(const CellSpan& cells, const Parallel& parallel)
   const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
   std::atomic<bool> allTriangles{ true };
   std::atomic<bool> allSound{ count == 0 || cells.offsets[0] == 0 };
-  forEach(parallel, 0, (count + cellsPerChunk - 1) / cellsPerChunk,
-    [&](int, std::size_t chunk)
+  forEachChunk<cellsPerChunk>(parallel, count,
+    [&](std::size_t begin, std::size_t end)
     {
-      const std::size_t begin = chunk * cellsPerChunk;
-      const std::size_t end = std::min(count, begin + cellsPerChunk);
       const bool triangles = cells.offsets.is64Bit
         ? areTriangles<std::int64_t>(cells.offsets, begin, end)
         : areTriangles<std::int32_t>(cells.offsets, begin, end);

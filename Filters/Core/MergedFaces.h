@@ -25,6 +25,8 @@ struct MergedFaces
   /// The cell id of each face: polygons count from 0, strips follow the last polygon.
   std::vector<std::int64_t> cells;
 
+  bool isEmpty() const { return this->offsets.empty(); }
+
   CellSpan span() const
   {
     return { { this->offsets.data(), true, this->offsets.size() },
@@ -32,6 +34,7 @@ struct MergedFaces
   }
 };
 
+/// The offsets of both must not be broken. Also where there are no strips.
 MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips, const Parallel& parallel);
 }
 

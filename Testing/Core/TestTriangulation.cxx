@@ -30,11 +30,15 @@ struct Cells
   }
   TupleSpan pointSpan() const { return { this->points.data(), true, this->points.size() }; }
 
-  TriangleList cut(CellKind kind, std::int64_t firstCell = 0, const Parallel& p = Parallel()) const
+  TriangleList cut(std::int64_t firstCell = 0, const Parallel& p = Parallel()) const
   {
-    TriangleList list;
-    triangulate(this->span(), kind, this->pointSpan(), firstCell, p, list);
-    return list;
+    return triangulate(this->span(), this->pointSpan(), firstCell, p);
+  }
+  /// The same cells as strips, after the polygons.
+  TriangleList cutStrips(
+    const CellSpan& polygons, std::int64_t firstCell = 0, const Parallel& p = Parallel()) const
+  {
+    return triangulate(mergeFaces(polygons, this->span(), p), this->pointSpan(), firstCell, p);
   }
 };
 
@@ -67,7 +71,7 @@ TEST(Triangulation, ConvexPolygonsAreFans)
 {
   Cells cells = makePolygon({ { 0, 0, 0 }, { 2, 0, 0 }, { 3, 1, 0 }, { 2, 2, 0 }, { 0, 2, 0 } });
   cells.add({ 2, 3, 4 });
-  const TriangleList list = cells.cut(CellKind::Polygons, 10);
+  const TriangleList list = cells.cut(10);
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 0, 2, 3, 0, 3, 4, 2, 3, 4 }));
   EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 10, 10, 10, 11 }));
 }
@@ -75,7 +79,7 @@ TEST(Triangulation, ConvexPolygonsAreFans)
 TEST(Triangulation, StripsAlternate)
 {
   Cells cells = makePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });
-  const TriangleList list = cells.cut(CellKind::Strips, 3);
+  const TriangleList list = cells.cutStrips(CellSpan(), 3);
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 2, 1, 3, 2, 3, 4 }));
   EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 3, 3, 3 }));
 }
@@ -102,7 +106,7 @@ TEST(Triangulation, ConcavePolygonsAreCoveredExactlyOnce)
     {
       whole += area(Vec3(0.0), points[p], points[(p + 1) % size], normal);
     }
-    const TriangleList list = makePolygon(points).cut(CellKind::Polygons);
+    const TriangleList list = makePolygon(points).cut();
     ASSERT_EQ(list.cells.size(), size - 2u);
     double sum = 0.0;
     for (std::size_t t = 0; t < list.cells.size(); ++t)
@@ -129,7 +133,7 @@ TEST(Triangulation, OddShapesKeepTheirNumber)
   };
   for (const auto& shape : shapes)
   {
-    const TriangleList list = makePolygon(shape).cut(CellKind::Polygons);
+    const TriangleList list = makePolygon(shape).cut();
     EXPECT_EQ(list.cells.size(), shape.size() - 2);
     EXPECT_EQ(list.corners.size(), 3 * list.cells.size());
     for (std::int32_t id : list.corners)
@@ -143,7 +147,7 @@ TEST(Triangulation, AHoleStaysOpen)
 {
   const std::vector<Vec3> shape{ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 0, 0, 0 },
     { 1, 1, 0 }, { 1, 3, 0 }, { 3, 3, 0 }, { 3, 1, 0 }, { 1, 1, 0 } };
-  const TriangleList list = makePolygon(shape).cut(CellKind::Polygons);
+  const TriangleList list = makePolygon(shape).cut();
   double sum = 0.0;
   for (std::size_t t = 0; t < list.cells.size(); ++t)
   {
@@ -160,7 +164,7 @@ TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
   cells.add({ 1 });
   cells.add({ 1, 2 });
   cells.add({ 2, 1, 0 });
-  const TriangleList list = cells.cut(CellKind::Polygons);
+  const TriangleList list = cells.cut();
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 2, 1, 0 }));
   EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 0, 4 }));
 }
@@ -174,12 +178,20 @@ TEST(Triangulation, BadPointsStandForTheirCell)
   cells.add({ 0, 1, 2, 4 });
   cells.add({ 0, 1, -7, 2 });
   cells.add({ 0, 3, 1, 2 });
-  EXPECT_EQ(cells.cut(CellKind::Polygons).corners,
+  EXPECT_EQ(cells.cut().corners,
     corners({ -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 3, 3, 3, 3, 3, 3 }));
-  EXPECT_EQ(cells.cut(CellKind::Strips).corners, cells.cut(CellKind::Polygons).corners);
+  EXPECT_EQ(cells.cutStrips(CellSpan()).corners, cells.cut().corners);
+  cells = Cells();
+  cells.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 },
+    { std::numeric_limits<double>::infinity(), 0, 0 } };
+  cells.add({ 0, 1, 2, 3 });
+  cells.add({ 0, 1, 2, 4 }); // the first of its triangles is good, the second is not
+  cells.add({ 0, 1, 4, 2, 9 });
+  EXPECT_EQ(cells.cutStrips(CellSpan()).corners,
+    corners({ 0, 1, 2, 2, 1, 3, 4, 4, 4, 4, 4, 4, -1, -1, -1, -1, -1, -1, -1, -1, -1 }));
 }
 
-TEST(Triangulation, DoesNotDependOnThreadsAndAppends)
+TEST(Triangulation, DoesNotDependOnThreads)
 {
   RandomNumbers random(6);
   Cells cells;
@@ -196,19 +208,30 @@ TEST(Triangulation, DoesNotDependOnThreadsAndAppends)
     }
     cells.add(ids);
   }
-  const TriangleList once = cells.cut(CellKind::Polygons, 100);
+  const TriangleList once = cells.cut(100);
+  const TriangleList strips = cells.cutStrips(CellSpan(), 100);
   for (int threads : { 2, 3, 8 })
   {
-    TriangleList list;
     const ThreadedParallel parallel(threads);
-    triangulate(cells.span(), CellKind::Strips, cells.pointSpan(), 0, parallel, list);
-    const std::size_t strips = list.cells.size();
-    EXPECT_EQ(list.corners, cells.cut(CellKind::Strips).corners);
-    triangulate(cells.span(), CellKind::Polygons, cells.pointSpan(), 100, parallel, list);
-    list.corners.erase(list.corners.begin(), list.corners.begin() + 3 * strips);
-    list.cells.erase(list.cells.begin(), list.cells.begin() + strips);
+    const TriangleList list = cells.cut(100, parallel);
     EXPECT_EQ(list.corners, once.corners);
     EXPECT_EQ(list.cells, once.cells);
+    const TriangleList stripList = cells.cutStrips(CellSpan(), 100, parallel);
+    EXPECT_EQ(stripList.corners, strips.corners);
+    EXPECT_EQ(stripList.cells, strips.cells);
+    // Polygons come first, and strips are numbered on.
+    TriangleList both = cells.cutStrips(cells.span(), 100, parallel);
+    const std::size_t polygons = once.cells.size();
+    EXPECT_TRUE(std::equal(once.corners.begin(), once.corners.end(), both.corners.begin()));
+    EXPECT_TRUE(std::equal(once.cells.begin(), once.cells.end(), both.cells.begin()));
+    both.corners.erase(both.corners.begin(), both.corners.begin() + 3 * polygons);
+    both.cells.erase(both.cells.begin(), both.cells.begin() + polygons);
+    EXPECT_EQ(both.corners, strips.corners);
+    for (std::int64_t& cell : both.cells)
+    {
+      cell -= 5000;
+    }
+    EXPECT_EQ(both.cells, strips.cells);
   }
 }
 

@@ -24,12 +24,17 @@ COMMAND = os.environ.get("LAMBENT_COMMAND")
 
 
 def setters(header):
-    """The names of the public methods of a class that change what it makes."""
-    public = read(header).split("\npublic:\n")[1].split("\nprotected:\n")[0]
+    """The names of the public methods of a class that change what it makes, with those of its superclass
+    in the same folder."""
+    text = read(header)
+    public = text.split("\npublic:\n")[1].split("\nprotected:\n")[0]
+    superclass = re.search(r"^class \w+ \w+ : public (\w+)$", text, re.MULTILINE).group(1)
+    above = "%s/%s.h" % (os.path.dirname(header), superclass)
+    inherited = setters(above) if os.path.exists(os.path.join(ROOT, above)) else set()
     macros = re.findall(r"vtkSet(?:Vector\d|Clamp|FilePath|)Macro\((\w+)", public)
     methods = re.findall(r"^  (?:virtual )?void ((?:Set|Add|Remove|Reset)\w+)\((?!.*override)", public,
                          re.MULTILINE)
-    return {"Set" + name for name in macros} | set(methods)
+    return {"Set" + name for name in macros} | set(methods) | inherited
 
 
 def settings(text):

@@ -24,9 +24,9 @@ FILTERS, RENDERING, COMPARISON, COMMAND = (
 
 ROOMS = (
     Room(BASE, (), "arithmetic, elementary functions, spans, vectors, parallel loops"),
-    Room(NORMALS, (BASE,), "normals of points, cells and corners"),
+    Room(NORMALS, (BASE,), "checked faces of a mesh; normals of points, cells and corners"),
     Room(CONTRACT, (BASE,), "the image contract: what decides the bits of a pixel"),
-    Room(SCENE, (BASE, CONTRACT), "surfaces, lights, camera; polygons become triangles"),
+    Room(SCENE, (BASE, NORMALS, CONTRACT), "surfaces, lights, camera; polygons become triangles"),
     Room(FRAME, (BASE, CONTRACT, SCENE), "the camera's frame, and triangles and rays in it"),
     Room(TILES, (BASE, CONTRACT, SCENE, FRAME), "which triangles each tile of the image tests"),
     Room(CAST, (BASE, CONTRACT, SCENE, FRAME, TILES), "what each sample of a tile sees"),

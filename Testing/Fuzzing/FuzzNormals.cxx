@@ -58,7 +58,7 @@ bool computePlainly(vtkLambentNormals* filter, vtkPolyData* mesh, std::vector<fl
   try
   {
     const lambent::Parallel one;
-    FacesFromVTK faces(mesh, one);
+    lambent::adapters::FacesFromVTK faces(mesh, one);
     const float sign = filter->GetFlipNormals() ? -1.0f : 1.0f;
     points.resize(3 * mesh->GetNumberOfPoints());
     cells.resize(3 * lambent::cellCount(faces.faces().cells));

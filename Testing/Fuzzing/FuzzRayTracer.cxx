@@ -4,11 +4,13 @@
 // and an empty output, or the whole picture that brute force draws of the same scene.
 #include "FuzzMesh.h"
 
-#include "FilterScene.h"
 #include "Render.h"
+#include "SceneFromSettings.h"
+#include "Vec3FromVTK.h"
 #include "VectorTarget.h"
 
 #include "vtkCamera.h"
+#include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
@@ -355,12 +357,8 @@ private:
     {
       image.bytes = bytes.data();
     }
-    std::vector<vtkPolyData*> meshes;
-    for (const auto& mesh : this->Meshes)
-    {
-      meshes.push_back(mesh);
-    }
-    const FilterScene scene(this->Tracer, meshes, one);
+    const lambent::adapters::SceneSettings settings = this->settings();
+    const lambent::adapters::SceneFromSettings scene(settings, one);
     const lambent::Report report =
       render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.part));
     require(report.outcome == lambent::Outcome::Done, "brute force can draw it, too");
@@ -371,6 +369,34 @@ private:
       require(found == expected || (std::isnan(found) && std::isnan(expected)),
         "each pixel is that of brute force");
     }
+  }
+
+  lambent::adapters::SceneSettings settings() const
+  {
+    vtkLambentRayTracer* const tracer = this->Tracer;
+    lambent::adapters::SceneSettings result;
+    for (int k = 0; k < static_cast<int>(this->Meshes.size()); ++k)
+    {
+      result.inputs.push_back({ this->Meshes[k], tracer->GetInputProperty(k) });
+    }
+    result.camera = tracer->GetCamera();
+    for (vtkLight* light : vtk::Range(tracer->GetLights()))
+    {
+      result.lights.push_back(light);
+    }
+    result.property = tracer->GetProperty();
+    result.usePointNormals = tracer->GetUsePointNormals() != 0;
+    result.splitting = tracer->GetSplitting() != 0;
+    result.featureAngle = tracer->GetFeatureAngle();
+    tracer->GetImageSize(result.imageSize);
+    result.ambientModel = tracer->GetAmbientModel() == vtkLambentRayTracer::SCENE
+      ? lambent::AmbientModel::Scene
+      : lambent::AmbientModel::PerLight;
+    result.twoSidedLighting = tracer->GetTwoSidedLighting() != 0;
+    result.background = lambent::adapters::vec3FromVTK(tracer->GetBackground());
+    result.backgroundTop = lambent::adapters::vec3FromVTK(
+      tracer->GetGradientBackground() ? tracer->GetBackground2() : tracer->GetBackground());
+    return result;
   }
 
   FuzzInput Input;

@@ -26,12 +26,14 @@ TRIANGULATION = "Rendering/Core/Scene/Triangulation.cxx"
 EARS = "Rendering/Core/Scene/Ears.h"
 TOUCHING = "Rendering/Core/Scene/TouchingPolygon.cxx"
 NORMAL = "Filters/Core/NormalContribution.h"
+MERGED = "Filters/Core/MergedFaces.cxx"
 NORMAL_KERNEL = "Filters/Core/NormalKernel.cxx"
 ANGLES = "Filters/Core/CornerAngles.h"
 SHARP = "Filters/Core/SharpEdges.cxx"
 CREASES = "Filters/Core/Creases.h"
 CREASE_KERNEL = "Filters/Core/CreaseKernel.cxx"
 CREASED = "Filters/Core/CreasedPoint.h"
+CHECKED = "Filters/Core/CheckedFaces.cxx"
 CORNERS = "Filters/Core/CornerNormals.cxx"
 TRIANGLE_NORMALS = "Filters/Core/TriangleNormals.cxx"
 ARITHMETIC = "Filters/Base/Arithmetic.h"
@@ -206,9 +208,11 @@ MUTATIONS = [
     (ELEMENTARY, "tangent = isSwapped ? -quotient", "tangent = isSwapped ? quotient",
      "signs of the tangent"),
     # Polygons and strips.
-    (TRIANGULATION, "putTriangle(out, p[k % 2], p[1 - k % 2], p[2])",
-     "putTriangle(out, p[0], p[1], p[2])",
+    (MERGED, "points[i + odd], points[i + 1 - odd], points[i + 2]",
+     "points[i], points[i + 1], points[i + 2]",
      "strips alternate"),
+    (TRIANGULATION, "if (hasBadPoint)", "if (false)", "a bad point of a strip spoils all of it"),
+    (CHECKED, "result.defect.cell += cellCount(polygons);", "", "strips are numbered on from the polygons"),
     (TRIANGULATION, "const bool isConcave = this->Shape.isConcave();",
      "const bool isConcave = false;", "concave polygons are cut by their ears"),
     (TRIANGULATION, "isConcave || size > 4 ?", "isConcave ?", "doubled corners hide concave ones"),

@@ -7,7 +7,7 @@ import importlib.metadata
 import importlib.util
 import os
 
-from lambent import vtkLambentNormals, vtkLambentRayTracer
+from lambent import vtkLambentAlgorithm, vtkLambentNormals, vtkLambentRayTracer
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkImageAlgorithm
 
 import lambent
@@ -17,6 +17,13 @@ normals = vtkLambentNormals()
 tracer = vtkLambentRayTracer()
 assert isinstance(normals, vtkAlgorithm)
 assert isinstance(tracer, vtkImageAlgorithm)
+assert isinstance(tracer, vtkLambentAlgorithm)
+assert (vtkLambentRayTracer.PER_LIGHT, vtkLambentRayTracer.SCENE) == (0, 1)
+try:
+    vtkLambentAlgorithm()
+    raise SystemExit("vtkLambentAlgorithm is abstract")
+except (TypeError, NotImplementedError):
+    pass
 
 tracer.SetInputConnection(normals.GetOutputPort())
 tracer.SetImageSize(64, 48)

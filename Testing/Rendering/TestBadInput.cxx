@@ -65,6 +65,23 @@ TEST(BadInput, CellsThatNamePointsThatDoNotExist)
   }
 }
 
+// They are not drawn, so nothing is read of them.
+TEST(BadInput, VerticesAndLinesThatNamePointsThatDoNotExist)
+{
+  Mesh mesh = makeSquare();
+  mesh->SetVerts(makeCells({ { 9 } }));
+  mesh->SetLines(makeCells({ { 0, -1 } }));
+  for (int interpolation : { VTK_PHONG, VTK_FLAT })
+  {
+    Studio studio;
+    const Messages messages(studio.tracer);
+    studio.property->SetInterpolation(interpolation);
+    studio.tracer->SetInputData(mesh);
+    EXPECT_EQ(render(studio.tracer).count(Studio::background()), 0);
+    EXPECT_TRUE(messages.errors().empty());
+  }
+}
+
 TEST(BadInput, CellsWithoutAnyPoints)
 {
   Mesh mesh = Mesh::New();

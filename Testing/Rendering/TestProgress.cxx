@@ -56,6 +56,50 @@ TEST(Progress, RisesToOneInTheCallersThread)
   EXPECT_TRUE(watcher.isOwnThread);
 }
 
+// Also where no normals are computed: cells are checked and cut, and bounds found.
+TEST(Progress, IsToldWhileTheSceneIsMade)
+{
+  std::vector<vtkIdType> ids(100000);
+  std::vector<Vec> points;
+  for (std::size_t k = 0; k < ids.size(); ++k)
+  {
+    ids[k] = static_cast<vtkIdType>(k);
+    points.emplace_back(1e-5 * static_cast<double>(k), k % 2, 0.0);
+  }
+  const Mesh strip = makeMesh(points, {});
+  strip->SetStrips(makeCells({ ids }));
+  for (const Mesh& mesh : { makeSphere(150), strip })
+  {
+    Studio studio(64, 48);
+    studio.tracer->SetCamera(nullptr);
+    studio.property->SetInterpolationToFlat();
+    studio.tracer->SetInputData(mesh);
+    Watcher watcher(studio.tracer);
+    studio.tracer->Update();
+    EXPECT_TRUE(std::is_sorted(watcher.told.begin(), watcher.told.end()));
+    EXPECT_GE(std::count_if(watcher.told.begin(), watcher.told.end(),
+                [](double fraction) { return fraction > 0.0 && fraction < 0.095; }),
+      3);
+  }
+}
+
+// Many small inputs are told of together, now and then.
+TEST(Progress, IsToldWhileManySurfacesAreMade)
+{
+  Studio studio(64, 48);
+  const Mesh square = makeSquare();
+  for (int k = 0; k < 3000; ++k)
+  {
+    studio.tracer->AddInputDataObject(square);
+  }
+  Watcher watcher(studio.tracer);
+  studio.tracer->Update();
+  const auto early = std::count_if(watcher.told.begin(), watcher.told.end(),
+    [](double fraction) { return fraction > 0.0 && fraction < 0.059; });
+  EXPECT_GE(early, 1);
+  EXPECT_LE(early, 10);
+}
+
 // Normals that are computed have a share of it.
 TEST(Progress, IsToldWhileNormalsAreComputed)
 {

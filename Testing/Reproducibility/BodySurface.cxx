@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodySurface.h"
 
-#include "CellBlocks.h"
 #include "CellSizes.h"
 #include "CellView.h"
 #include "TriangleNormals.h"
@@ -15,7 +14,7 @@ constexpr double featureAngle = 30.0; // the ray tracer's default
 BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   : HasFloats(body.hasFloatPoints)
   , HasNarrowIds(body.has32BitIds)
-  , Kind(body.kind)
+  , HasStrips(body.hasStrips)
 {
   this->setPoints(body);
   this->setCells(body, parallel);
@@ -48,13 +47,15 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
   }
   this->Ids32.assign(this->Ids64.begin(), this->Ids64.end());
   this->Offsets32.assign(this->Offsets64.begin(), this->Offsets64.end());
-  if (body.kind == lambent::CellKind::Polygons &&
-    inspect(this->cells(), parallel) == lambent::CellSizes::Triangles)
+  if (!this->HasStrips && inspect(this->cells(), parallel) == lambent::CellSizes::Triangles)
   {
     this->Result.corners = this->cells().connectivity;
     return;
   }
-  triangulate(this->cells(), body.kind, this->points(), 0, parallel, this->Triangles);
+  this->Triangles = this->HasStrips
+    ? triangulate(
+        mergeFaces(lambent::CellSpan(), this->cells(), parallel), this->points(), 0, parallel)
+    : triangulate(this->cells(), this->points(), 0, parallel);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
 }
@@ -85,27 +86,18 @@ lambent::TupleSpan BodySurface::keep(const std::vector<Vec3>& tuples, std::vecto
                         : lambent::TupleSpan{ memory.data(), true, tuples.size() };
 }
 
-std::unique_ptr<BodySurface::BodyFaces> BodySurface::faces(const lambent::Parallel& parallel) const
+lambent::CheckedFaces BodySurface::faces(const lambent::Parallel& parallel) const
 {
-  auto result = std::make_unique<BodyFaces>();
-  lambent::Faces& faces = result->faces;
-  faces.points = this->points();
-  faces.cells = this->cells();
-  if (this->Kind == lambent::CellKind::Strips)
-  {
-    result->merged = mergeFaces(lambent::CellSpan(), this->cells(), lambent::Parallel());
-    faces.cells = result->merged.span();
-  }
-  faces.blocks = checkCells(faces.cells, faces.points.size, parallel).blocks;
-  faces.skip = findNonFinite(faces.points, faces.cells, parallel);
-  return result;
+  const lambent::CellSpan none;
+  return checkFaces(this->points(), this->HasStrips ? none : this->cells(),
+    this->HasStrips ? this->cells() : none, parallel);
 }
 
 std::vector<Vec3> BodySurface::pointNormals(
   lambent::Weighting how, const lambent::Parallel& parallel) const
 {
   std::vector<float> normals(3 * this->points().size);
-  computePointNormals(this->faces(parallel)->faces, how, 1.0f, parallel, normals.data());
+  computePointNormals(this->faces(parallel).faces, how, 1.0f, parallel, normals.data());
   std::vector<Vec3> result;
   for (std::size_t k = 0; k < normals.size(); k += 3)
   {
@@ -116,24 +108,25 @@ std::vector<Vec3> BodySurface::pointNormals(
 
 void BodySurface::computeNormals(const lambent::Parallel& parallel)
 {
-  const auto faces = this->faces(parallel);
-  this->Normals = computeCornerNormals(faces->faces, featureAngle, parallel);
+  const lambent::CheckedFaces checked = this->faces(parallel);
+  this->Normals = computeCornerNormals(checked.faces, featureAngle, parallel);
   this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
   if (this->Normals.numbers)
   {
     this->NormalNumbers =
-      numbersOfTriangles(faces->faces.cells, this->Normals, this->Result.corners, parallel);
+      numbersOfTriangles(checked.faces.cells, this->Normals, this->Result.corners, parallel);
     this->Result.normalNumbers = { this->NormalNumbers.data(), false, this->NormalNumbers.size() };
   }
 }
 
 Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& parallel) const
 {
-  const auto faces = this->faces(parallel);
-  const lambent::CornerNormals normals = computeCornerNormals(faces->faces, featureAngle, parallel);
-  const lambent::CellSpan& cells = faces->faces.cells;
+  const lambent::CheckedFaces checked = this->faces(parallel);
+  const lambent::CornerNormals normals =
+    computeCornerNormals(checked.faces, featureAngle, parallel);
+  const lambent::CellSpan& cells = checked.faces.cells;
   Body result = body;
-  result.kind = lambent::CellKind::Polygons;
+  result.hasStrips = false;
   result.shape = Shape();
   result.pointNormals.clear();
   for (std::size_t face = 0; face < lambent::cellCount(cells); ++face)

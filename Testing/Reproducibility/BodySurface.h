@@ -9,11 +9,10 @@
 
 #include "Stage.h"
 
+#include "CheckedFaces.h"
 #include "CornerNormals.h"
-#include "MergedFaces.h"
 #include "Parallel.h"
-
-#include <memory>
+#include "Triangulation.h"
 
 /// The surface and the memory that its spans point to.
 class BodySurface
@@ -36,13 +35,8 @@ public:
   Body withOwnCorners(const Body& body, const lambent::Parallel& parallel) const;
 
 private:
-  /// Polygons, or the triangles of strips.
-  struct BodyFaces
-  {
-    lambent::MergedFaces merged;
-    lambent::Faces faces;
-  };
-  std::unique_ptr<BodyFaces> faces(const lambent::Parallel& parallel) const;
+  /// Polygons, and the triangles of strips.
+  lambent::CheckedFaces faces(const lambent::Parallel& parallel) const;
   void setPoints(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
   lambent::TupleSpan points() const;
@@ -51,7 +45,7 @@ private:
 
   const bool HasFloats;
   const bool HasNarrowIds;
-  lambent::CellKind Kind;
+  const bool HasStrips;
   std::vector<float> Floats;
   std::vector<double> Doubles;
   std::vector<std::int32_t> Offsets32, Ids32;

@@ -43,7 +43,7 @@ Body& Body::floats()
 
 Body& Body::strips()
 {
-  this->kind = lambent::CellKind::Strips;
+  this->hasStrips = true;
   return *this;
 }
 

@@ -14,13 +14,12 @@
 
 #include "NormalContribution.h"
 #include "Scene.h"
-#include "Triangulation.h"
 
 /// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
 {
   Shape shape;
-  lambent::CellKind kind = lambent::CellKind::Polygons;
+  bool hasStrips = false; ///< the cells are strips, not polygons
   bool hasFloatPoints = false;
   bool has32BitIds = false;
   std::vector<Vec3> pointNormals; ///< one per point, or none

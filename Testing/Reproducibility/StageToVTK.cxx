@@ -63,8 +63,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
     points->SetData(toTuples<vtkDoubleArray>(body.shape.points));
   }
   result->SetPoints(points);
-  body.kind == lambent::CellKind::Strips ? result->SetStrips(toCells(body))
-                                         : result->SetPolys(toCells(body));
+  body.hasStrips ? result->SetStrips(toCells(body)) : result->SetPolys(toCells(body));
   if (!body.pointNormals.empty())
   {
     result->GetPointData()->SetNormals(toTuples<vtkDoubleArray>(body.pointNormals));

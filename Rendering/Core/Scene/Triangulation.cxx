@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulation.h"
 
+#include "CellView.h"
+#include "Chunks.h"
 #include "Ears.h"
 #include "Polygon.h"
 #include "TouchingPolygon.h"
@@ -16,12 +18,14 @@ constexpr std::size_t cellsPerChunk = 1024;
 class Cutter
 {
 public:
-  Cutter(const CellSpan& cells, CellKind kind, const TupleSpan& points)
+  Cutter(const CellSpan& cells, const TupleSpan& points)
     : Cells(cells)
-    , Kind(kind)
     , Points(points)
   {
   }
+
+  /// Whether a cell that was cut had a point that is wrong or not finite.
+  bool hasBadPoint() const { return this->HasBadPoint; }
 
   std::size_t triangleCount(std::size_t cell) const
   {
@@ -39,18 +43,8 @@ public:
     }
     if (!this->load(this->Cells.offsets[cell], count + 2, bad))
     {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        putTriangle(out, bad, bad, bad);
-      }
-    }
-    else if (this->Kind == CellKind::Strips)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        const std::int32_t* p = &this->Shape.ids[k];
-        putTriangle(out, p[k % 2], p[1 - k % 2], p[2]);
-      }
+      this->HasBadPoint = true;
+      out = std::fill_n(out, 3 * count, bad);
     }
     else if (count == 1)
     {
@@ -142,30 +136,35 @@ private:
   }
 
   const CellSpan& Cells;
-  CellKind Kind;
   const TupleSpan& Points;
   Polygon Shape;
   Ears Clipper;
   std::vector<std::size_t> Mended;
+  bool HasBadPoint = false;
 };
+
+/// Calls body(worker, chunk) for all chunks of cells.
+template <typename Body>
+void forEachChunkOfCells(const Parallel& parallel, std::size_t count, Body&& body)
+{
+  constexpr std::size_t cellsPerPart = 64 * cellsPerChunk; // polygons may take long
+  forEachPart<cellsPerPart>(parallel, count,
+    [&](std::size_t begin, std::size_t end)
+    { forEach(parallel, begin / cellsPerChunk, chunkCount(end, cellsPerChunk), body); });
 }
 
-void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
-  std::int64_t firstCell, const Parallel& parallel, TriangleList& list)
+/// Fills the list; false if no cell has a bad point.
+bool cutAll(const CellSpan& cells, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel, TriangleList& list)
 {
-  const std::size_t count = cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
-  const std::size_t chunks = (count + cellsPerChunk - 1) / cellsPerChunk;
-  if (count == 0)
-  {
-    return;
-  }
+  const std::size_t count = cellCount(cells), chunks = chunkCount(count, cellsPerChunk);
   const auto endOf = [&](std::size_t chunk)
   { return std::min(count, (chunk + 1) * cellsPerChunk); };
-  std::vector<Cutter> cutters(parallel.workers(), Cutter(cells, kind, points));
+  std::vector<Cutter> cutters(parallel.workers(), Cutter(cells, points));
 
   // 1. Find where the triangles of each chunk of cells begin.
-  std::vector<std::size_t> first(chunks + 1, list.cells.size());
-  forEach(parallel, 0, chunks,
+  std::vector<std::size_t> first(chunks + 1, 0);
+  forEachChunkOfCells(Share(parallel, 0.0, 0.1), count,
     [&](int worker, std::size_t chunk)
     {
       std::size_t triangles = 0;
@@ -183,7 +182,7 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
   list.cells.resize(first[chunks]);
 
   // 2. Cut each chunk into its own place.
-  forEach(parallel, 0, chunks,
+  forEachChunkOfCells(Share(parallel, 0.1, 1.0), count,
     [&](int worker, std::size_t chunk)
     {
       std::int32_t* out = list.corners.data() + 3 * first[chunk];
@@ -195,5 +194,62 @@ void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
           firstCell + static_cast<std::int64_t>(cell));
       }
     });
+  return std::any_of(
+    cutters.begin(), cutters.end(), [](const Cutter& cutter) { return cutter.hasBadPoint(); });
+}
+
+/// Let all triangles of a strip with a bad point be of that point alone. Each is already, or
+/// has good points only.
+void spreadBadPoints(const TupleSpan& points, TriangleList& list)
+{
+  const std::size_t count = list.cells.size();
+  for (std::size_t begin = 0, end = 0; begin < count; begin = end)
+  {
+    bool isBad = false;
+    std::int32_t bad = 0;
+    for (end = begin; end < count && list.cells[end] == list.cells[begin]; ++end)
+    {
+      const std::int32_t corner = list.corners[3 * end];
+      if (corner < 0 || (!isBad && !isFinite(points[static_cast<std::size_t>(corner)])))
+      {
+        isBad = true;
+        bad = corner;
+      }
+    }
+    if (isBad)
+    {
+      std::fill(list.corners.begin() + static_cast<std::ptrdiff_t>(3 * begin),
+        list.corners.begin() + static_cast<std::ptrdiff_t>(3 * end), bad);
+    }
+  }
+}
+}
+
+TriangleList triangulate(const CellSpan& polygons, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel)
+{
+  TriangleList list;
+  cutAll(polygons, points, firstCell, parallel, list);
+  return list;
+}
+
+TriangleList triangulate(const MergedFaces& faces, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel)
+{
+  TriangleList list;
+  const bool hasBadPoint = cutAll(faces.span(), points, 0, Share(parallel, 0.0, 0.9), list);
+  forEachChunk<cellsPerChunk>(Share(parallel, 0.9, 1.0), list.cells.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        list.cells[t] = firstCell + faces.cells[list.cells[t]];
+      }
+    });
+  if (hasBadPoint)
+  {
+    spreadBadPoints(points, list);
+  }
+  return list;
 }
 }

@@ -11,7 +11,7 @@
  * - If triangles of that fan face the other way, by more than rounding, the outline touches or
  *   crosses itself. If it touches itself, it is cut again by the rules of TouchingPolygon.h. If it
  *   crosses itself, the first result stays.
- * - A strip alternates its winding, so that all of its triangles face the same way as the first.
+ * - mergeFaces() has cut a strip already; only its bad points are looked for.
  *
  * A polygon of n points gives n - 2 triangles whatever its shape. So the place of each cell in the
  * list is known in advance, and cells can be cut in parallel. If a point of a cell is not finite or
@@ -23,6 +23,7 @@
 #ifndef lambent_Triangulation_h
 #define lambent_Triangulation_h
 
+#include "MergedFaces.h"
 #include "Parallel.h"
 #include "Spans.h"
 
@@ -30,22 +31,20 @@
 
 namespace lambent
 {
-enum class CellKind
-{
-  Polygons,
-  Strips
-};
-
 struct TriangleList
 {
   std::vector<std::int32_t> corners; ///< three per triangle
   std::vector<std::int64_t> cells;   ///< one per triangle
 };
 
-/// Appends the triangles of cells, numbered from firstCell on, to a list. The offsets must be
-/// valid, and there may be at most 2^31 - 1 points.
-void triangulate(const CellSpan& cells, CellKind kind, const TupleSpan& points,
-  std::int64_t firstCell, const Parallel& parallel, TriangleList& list);
+/// Cuts polygons, numbered from firstCell on. Their offsets must be valid, and there may be at most
+/// 2^31 - 1 points.
+TriangleList triangulate(const CellSpan& polygons, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel);
+
+/// The same for a mesh with strips: its cells are numbered from firstCell on.
+TriangleList triangulate(const MergedFaces& faces, const TupleSpan& points, std::int64_t firstCell,
+  const Parallel& parallel);
 }
 
 #endif

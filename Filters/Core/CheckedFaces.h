@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief polygons and strips of a mesh as checked faces
+ *
+ * 1. Each cell is checked: its corners must lie within the connectivity, and each must name a
+ *    point that exists. The check also finds the blocks (CellBlocks.h) of the faces.
+ * 2. Where there are strips, the polygons and the strips' triangles become one list of faces
+ *    (MergedFaces.h).
+ * 3. The faces of cells with a point that is not finite are marked: they count for nothing.
+ *
+ * All passes are parallel and have checkpoints.
+ */
+#ifndef lambent_CheckedFaces_h
+#define lambent_CheckedFaces_h
+
+#include "MergedFaces.h"
+#include "PointNormals.h"
+
+namespace lambent
+{
+/// The faces, and the memory that they need beside the spans they are made of. Cells are
+/// counted from 0, first the polygons, then the strips.
+struct CheckedFaces
+{
+  Faces faces;
+  MergedFaces merged; ///< empty where there are no strips
+  CellDefect defect;  ///< the first; the faces are of no use then
+
+  std::size_t notFinite = 0; ///< how many cells have a point that is not finite
+  std::size_t firstNotFinite = 0;
+
+  CheckedFaces() = default;
+  CheckedFaces(CheckedFaces&&) = default; // the spans go on pointing to the same memory
+  CheckedFaces& operator=(CheckedFaces&&) = default;
+
+  /// The cell that a face is of.
+  std::int64_t cellOf(std::int64_t face) const
+  {
+    return this->merged.isEmpty() ? face : this->merged.cells[face];
+  }
+};
+
+/// `merged` saves merging, if it is what mergeFaces() gives for the same polygons and strips.
+CheckedFaces checkFaces(const TupleSpan& points, const CellSpan& polygons, const CellSpan& strips,
+  const Parallel& parallel, MergedFaces merged = MergedFaces());
+}
+
+#endif

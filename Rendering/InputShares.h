@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the shares that the inputs have of the progress of work on all of them
+ */
+#ifndef InputShares_h
+#define InputShares_h
+
+#include "Chunks.h"
+#include "Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace lambent::adapters
+{
+/// Below that many triangles threads work on different inputs, not on one together.
+constexpr std::size_t trianglesOfSmall = 32 * 1024;
+
+/// The loops of work that is too small to have checkpoints of its own.
+class Unwatched : public Parallel
+{
+public:
+  explicit Unwatched(const Parallel& whole)
+    : Whole(whole)
+  {
+  }
+  int workers() const override { return this->Whole.workers(); }
+  void run(const std::function<void(int worker)>& body) const override { this->Whole.run(body); }
+
+private:
+  const Parallel& Whole;
+};
+
+/// Shares of the work, by the numbers of triangles. There may be a hundred thousand inputs: many
+/// small ones have one checkpoint together.
+class InputShares
+{
+public:
+  InputShares(const std::vector<vtkPolyData*>& inputs, const Parallel& whole)
+    : Whole(whole)
+    , Small(whole)
+  {
+    std::size_t before = 0;
+    for (vtkPolyData* input : inputs)
+    {
+      before += costOfAny + corners(input->GetPolys()) / 3 + corners(input->GetStrips());
+      this->Ends.push_back(before);
+    }
+  }
+
+  /// That of the next input; good until the one after it is asked for.
+  const Parallel& next()
+  {
+    const std::size_t begin = this->Next == 0 ? 0 : this->Ends[this->Next - 1];
+    const std::size_t end = this->Ends[this->Next++];
+    const double all = static_cast<double>(this->Ends.back());
+    if (end - begin >= trianglesOfSmall)
+    {
+      this->Large.emplace(this->Whole, begin / all, end / all);
+      return *this->Large;
+    }
+    if (begin - this->AtCheckpoint > itemsPerPart)
+    {
+      this->Whole.checkpoint(begin / all);
+      this->AtCheckpoint = begin;
+    }
+    return this->Small;
+  }
+
+private:
+  static constexpr std::size_t costOfAny = 500; ///< in triangles, roughly
+
+  static std::size_t corners(vtkCellArray* cells)
+  {
+    return static_cast<std::size_t>(cells->GetNumberOfConnectivityIds());
+  }
+
+  const Parallel& Whole;
+  const Unwatched Small;
+  std::optional<Share> Large;
+  std::vector<std::size_t> Ends;
+  std::size_t Next = 0;
+  std::size_t AtCheckpoint = 0;
+};
+}
+
+#endif

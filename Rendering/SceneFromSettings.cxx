@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneFromSettings.h"
+
+#include "AppearanceFromVTK.h"
+#include "CameraFrame.h"
+#include "CameraFromVTK.h"
+#include "Chunks.h"
+#include "LightFromVTK.h"
+
+#include "vtkLight.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace lambent::adapters
+{
+namespace
+{
+/// How much of the work is done when there are surfaces, and when their bounds are known.
+constexpr double surfacesShare = 0.2;
+constexpr double boundsShare = 1.0 - SceneFromSettings::normalsShare;
+}
+
+SceneFromSettings::SceneFromSettings(const SceneSettings& settings, const Parallel& parallel)
+  : Settings(settings)
+  , Surfaces(meshes(settings), appearances(settings), Share(parallel, 0.0, surfacesShare))
+{
+  this->addCamera(Share(parallel, surfacesShare, boundsShare));
+  this->addLights();
+  this->addBackground();
+  this->addSurfaces(Share(parallel, boundsShare, 1.0));
+}
+
+std::vector<vtkPolyData*> SceneFromSettings::meshes(const SceneSettings& settings)
+{
+  std::vector<vtkPolyData*> result;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    result.push_back(input.mesh);
+  }
+  return result;
+}
+
+std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& settings)
+{
+  std::vector<Appearance> result;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    result.push_back(appearanceFromVTK(settings.propertyOf(input)));
+    const std::string defect = describeDefect(result.back());
+    if (!defect.empty())
+    {
+      throw std::runtime_error(
+        "Input " + std::to_string(result.size() - 1) + ": its vtkProperty " + defect);
+    }
+  }
+  return result;
+}
+
+void SceneFromSettings::addCamera(const Parallel& parallel)
+{
+  Camera& camera = this->Description.camera;
+  if (this->Settings.camera)
+  {
+    camera = cameraFromVTK(this->Settings.camera);
+  }
+  else
+  {
+    const int* const size = this->Settings.imageSize;
+    camera = frameBounds(camera, findBounds(this->Surfaces.surfaces(), parallel), size[0], size[1]);
+  }
+  const std::string defect = describeDefect(camera);
+  if (!defect.empty())
+  {
+    throw std::runtime_error(defect);
+  }
+}
+
+void SceneFromSettings::addLights()
+{
+  Scene& scene = this->Description;
+  scene.ambientModel = this->Settings.ambientModel;
+  scene.twoSidedLighting = this->Settings.twoSidedLighting;
+  const std::vector<vtkLight*>& lights = this->Settings.lights;
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    if (lights[k]->GetSwitch())
+    {
+      scene.lights.push_back(lightFromVTK(lights[k], scene.camera));
+      const std::string defect = describeDefect(scene.lights.back());
+      if (!defect.empty())
+      {
+        throw std::runtime_error("Light " + std::to_string(k) + " " + defect);
+      }
+    }
+  }
+  if (lights.empty())
+  {
+    scene.lights.push_back(headlight(scene.camera));
+  }
+}
+
+void SceneFromSettings::addBackground()
+{
+  this->Description.background = this->Settings.background;
+  this->Description.backgroundTop = this->Settings.backgroundTop;
+  if (!isFinite(this->Description.background) || !isFinite(this->Description.backgroundTop))
+  {
+    throw std::runtime_error("The background has a channel that is not a finite number. Call "
+                             "SetBackground() and SetBackground2() with finite ones.");
+  }
+}
+
+void SceneFromSettings::addSurfaces(const Parallel& parallel)
+{
+  if (!std::isfinite(this->Settings.featureAngle))
+  {
+    throw std::runtime_error(
+      "The feature angle is not a finite number. Call SetFeatureAngle() with 0 to 180 degrees.");
+  }
+  constexpr double smoothEverywhere = 180.0;
+  this->Surfaces.addNormals(this->Settings.usePointNormals,
+    this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
+  this->Description.surfaces = this->Surfaces.surfaces();
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the scene that a ray tracer's settings and inputs describe
+ */
+#ifndef SceneFromSettings_h
+#define SceneFromSettings_h
+
+#include "InputSurfaces.h"
+#include "SceneSettings.h"
+
+namespace lambent::adapters
+{
+class SceneFromSettings
+{
+public:
+  /// How much of the work is to compute normals, where some are needed, roughly.
+  static constexpr double normalsShare = 0.7;
+
+  /// Surfaces, camera, lights and background. The settings and their inputs must outlive this
+  /// object. Throws std::runtime_error with a message for the user, and what the checkpoints of
+  /// parallel throw.
+  SceneFromSettings(const SceneSettings& settings, const Parallel& parallel);
+
+  const Scene& scene() const { return this->Description; }
+  const InputSurfaces& surfaces() const { return this->Surfaces; }
+
+private:
+  static std::vector<vtkPolyData*> meshes(const SceneSettings& settings);
+  static std::vector<Appearance> appearances(const SceneSettings& settings);
+  void addCamera(const Parallel& parallel);
+  void addLights();
+  void addBackground();
+  void addSurfaces(const Parallel& parallel);
+
+  const SceneSettings& Settings;
+  InputSurfaces Surfaces;
+  Scene Description;
+};
+}
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief all that a picture shows, as VTK's objects and plain values
+ *
+ * A ray tracer fills it in (vtkLambentAlgorithm::DescribeScene()); nothing here knows which.
+ * The objects must outlive it. Where an error message names a setting, it is by the name of the
+ * ray tracer's method.
+ */
+#ifndef SceneSettings_h
+#define SceneSettings_h
+
+#include "Scene.h"
+
+#include <vector>
+
+class vtkCamera;
+class vtkLight;
+class vtkPolyData;
+class vtkProperty;
+
+namespace lambent::adapters
+{
+struct SceneSettings
+{
+  struct Input
+  {
+    vtkPolyData* mesh = nullptr;
+    vtkProperty* property = nullptr; ///< none: that of all inputs
+  };
+  std::vector<Input> inputs;
+
+  vtkCamera* camera = nullptr;     ///< none: a new one, reset to the bounds of the inputs
+  std::vector<vtkLight*> lights;   ///< none: a headlight
+  vtkProperty* property = nullptr; ///< of inputs that have none; none: the default one
+
+  // How normals are made.
+  bool usePointNormals = true;
+  bool splitting = true;
+  double featureAngle = 30.0; ///< degrees
+
+  // Of the picture.
+  int imageSize[2] = { 300, 300 };
+  AmbientModel ambientModel = AmbientModel::PerLight;
+  bool twoSidedLighting = true;
+  Vec3 background{ 0.0 };    ///< at the bottom edge
+  Vec3 backgroundTop{ 0.0 }; ///< at the top edge
+
+  vtkProperty* propertyOf(const Input& input) const
+  {
+    return input.property ? input.property : this->property;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLambentAlgorithm.h"
+
+#include "Chunks.h"
+#include "IdleSettings.h"
+#include "ImageContract.h"
+#include "NewMessages.h"
+#include "OutputImage.h"
+#include "Render.h"
+#include "SceneFromSettings.h"
+#include "Vec3FromVTK.h"
+#include "WatchedParallel.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+using namespace lambent::adapters;
+
+namespace
+{
+/// How much of the whole is done when there is a scene with normals, roughly.
+constexpr double sceneShare = 0.3;
+}
+
+struct vtkLambentAlgorithm::Internals
+{
+  NewMessages Warnings;
+};
+
+//------------------------------------------------------------------------------
+vtkLambentAlgorithm::vtkLambentAlgorithm()
+  : ImageSize{ 300, 300 }
+  , AmbientModel(PER_LIGHT)
+  , TwoSidedLighting(1)
+  , Background{ 0.0, 0.0, 0.0 }
+  , GradientBackground(0)
+  , Background2{ 0.0, 0.0, 0.0 }
+  , OutputScalarType(VTK_UNSIGNED_CHAR)
+  , GenerateIds(0)
+  , Internal(new Internals)
+{
+}
+
+vtkLambentAlgorithm::~vtkLambentAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkLambentAlgorithm::SetOutputScalarType(int type)
+{
+  if (type != VTK_UNSIGNED_CHAR && type != VTK_FLOAT)
+  {
+    vtkErrorMacro("SetOutputScalarType() was given type "
+      << type << "; it takes VTK_UNSIGNED_CHAR (3) or VTK_FLOAT (10).");
+    return;
+  }
+  if (this->OutputScalarType != type)
+  {
+    this->OutputScalarType = type;
+    this->Modified();
+  }
+}
+
+int vtkLambentAlgorithm::GetImageContractVersion()
+{
+  return lambent::ImageContractVersion;
+}
+
+//------------------------------------------------------------------------------
+int vtkLambentAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  if (this->ImageSize[0] < 1 || this->ImageSize[1] < 1)
+  {
+    vtkErrorMacro("The image size is " << this->ImageSize[0] << " x " << this->ImageSize[1]
+                                       << "; both must be at least 1. Call SetImageSize().");
+    vtkImageData::GetData(outInfo)->Initialize();
+    return 0;
+  }
+  // The executive keeps the extent of a request that failed, and would add it to the
+  // next one, even if the image has become smaller since.
+  outInfo->Remove(vtkStreamingDemandDrivenPipeline::COMBINED_UPDATE_EXTENT());
+  const int extent[6] = { 0, this->ImageSize[0] - 1, 0, this->ImageSize[1] - 1, 0, 0 };
+  const double origin[3] = { 0.0, 0.0, 0.0 }, spacing[3] = { 1.0, 1.0, 1.0 };
+  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  outInfo->Set(vtkDataObject::ORIGIN(), origin, 3);
+  outInfo->Set(vtkDataObject::SPACING(), spacing, 3);
+  outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->OutputScalarType, 3);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkLambentAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* outInfo = outputs->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
+  try
+  {
+    this->MakePicture(inputs, outInfo, output);
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    // The executive shall not take the empty output for an up-to-date one.
+    output->Initialize();
+    outInfo->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for an image of "
+      << this->ImageSize[0] << " x " << this->ImageSize[1]
+      << " pixels and the work on it. Call SetImageSize() with a smaller one, or ask for the "
+         "image in parts.");
+  }
+  catch (const std::exception& failure)
+  {
+    vtkErrorMacro(<< failure.what());
+  }
+  output->Initialize();
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkLambentAlgorithm::AddOwnSettings(SceneSettings& scene)
+{
+  std::copy_n(this->ImageSize, 2, scene.imageSize);
+  scene.ambientModel =
+    this->AmbientModel == SCENE ? lambent::AmbientModel::Scene : lambent::AmbientModel::PerLight;
+  scene.twoSidedLighting = this->TwoSidedLighting != 0;
+  scene.background = vec3FromVTK(this->Background);
+  scene.backgroundTop =
+    this->GradientBackground ? vec3FromVTK(this->Background2) : scene.background;
+}
+
+void vtkLambentAlgorithm::WarnOfIdleSettings(const SceneSettings& scene)
+{
+  for (const std::string& warning : this->Internal->Warnings.update(findIdleSettings(scene)))
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+void vtkLambentAlgorithm::MakePicture(
+  vtkInformationVector** inputs, vtkInformation* outInfo, vtkImageData* output)
+{
+  SceneSettings settings;
+  this->AddOwnSettings(settings);
+  this->DescribeScene(inputs, settings);
+  this->WarnOfIdleSettings(settings);
+  const WatchedParallel parallel(this);
+  parallel.checkAbort(); // a StartEvent observer may already have aborted
+  this->SetProgressText("normals");
+  const SceneFromSettings description(settings, lambent::Share(parallel, 0.0, sceneShare));
+  const double begin = description.surfaces().hasComputedNormals()
+    ? sceneShare
+    : sceneShare * (1.0 - SceneFromSettings::normalsShare);
+  parallel.checkAbort();
+  this->SetProgressText("rendering");
+  lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
+  std::vector<std::uint32_t> triangles;
+  if (this->GenerateIds)
+  {
+    triangles.resize(output->GetNumberOfPoints());
+    image.triangles = triangles.data();
+  }
+  const lambent::Report report = lambent::render(description.scene(), image, parallel,
+    [&](double fraction)
+    {
+      this->UpdateProgress(begin + (1.0 - begin) * fraction);
+      return !isAborted(this);
+    });
+  if (report.outcome == lambent::Outcome::Aborted)
+  {
+    throw Aborted();
+  }
+  if (report.outcome == lambent::Outcome::BadMesh)
+  {
+    throw std::runtime_error(description.surfaces().describeWrongCorner(report.defects));
+  }
+  if (report.defects.notFinite > 0)
+  {
+    vtkWarningMacro(<< description.surfaces().describeNotFinite(report.defects));
+  }
+  if (this->GenerateIds)
+  {
+    addIds(triangles, description.surfaces(), output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkLambentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto printColor = [&](const char* name, const double color[3])
+  { os << indent << name << ": (" << color[0] << ", " << color[1] << ", " << color[2] << ")\n"; };
+  const auto printSwitch = [&](const char* name, vtkTypeBool value)
+  { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
+  os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
+  os << indent << "AmbientModel: " << (this->AmbientModel == SCENE ? "Scene" : "PerLight") << "\n";
+  printSwitch("TwoSidedLighting", this->TwoSidedLighting);
+  printColor("Background", this->Background);
+  printSwitch("GradientBackground", this->GradientBackground);
+  printColor("Background2", this->Background2);
+  os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
+     << "\n";
+  printSwitch("GenerateIds", this->GenerateIds);
+}
