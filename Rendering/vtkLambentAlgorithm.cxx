@@ -18,7 +18,10 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 using namespace lambent::adapters;
@@ -37,6 +40,7 @@ struct vtkLambentAlgorithm::Internals
 //------------------------------------------------------------------------------
 vtkLambentAlgorithm::vtkLambentAlgorithm()
   : ImageSize{ 300, 300 }
+  , Supersampling(1)
   , AmbientModel(PER_LIGHT)
   , TwoSidedLighting(1)
   , Background{ 0.0, 0.0, 0.0 }
@@ -72,6 +76,26 @@ int vtkLambentAlgorithm::GetImageContractVersion()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkLambentAlgorithm::DescribeSamplingDefect() const
+{
+  constexpr int mostSamples = 16;
+  std::ostringstream text;
+  const std::int64_t largest = std::max(this->ImageSize[0], this->ImageSize[1]);
+  if (this->Supersampling < 1 || this->Supersampling > mostSamples)
+  {
+    text << "The supersampling is " << this->Supersampling
+         << "; it must be 1 to 16. Call SetSupersampling().";
+  }
+  else if (largest * this->Supersampling > std::numeric_limits<int>::max())
+  {
+    text << "An image of " << this->ImageSize[0] << " x " << this->ImageSize[1] << " pixels with "
+         << this->Supersampling << " x " << this->Supersampling
+         << " samples each has more than 2147483647 samples along an axis. Call SetImageSize() or "
+            "SetSupersampling() with less.";
+  }
+  return text.str();
+}
+
 int vtkLambentAlgorithm::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
@@ -80,6 +104,13 @@ int vtkLambentAlgorithm::RequestInformation(
   {
     vtkErrorMacro("The image size is " << this->ImageSize[0] << " x " << this->ImageSize[1]
                                        << "; both must be at least 1. Call SetImageSize().");
+    vtkImageData::GetData(outInfo)->Initialize();
+    return 0;
+  }
+  const std::string defect = this->DescribeSamplingDefect();
+  if (!defect.empty())
+  {
+    vtkErrorMacro(<< defect);
     vtkImageData::GetData(outInfo)->Initialize();
     return 0;
   }
@@ -166,6 +197,7 @@ void vtkLambentAlgorithm::MakePicture(
   parallel.checkAbort();
   this->SetProgressText("rendering");
   lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
+  image.samples = this->Supersampling;
   std::vector<std::uint32_t> triangles;
   if (this->GenerateIds)
   {
@@ -205,6 +237,7 @@ void vtkLambentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   const auto printSwitch = [&](const char* name, vtkTypeBool value)
   { os << indent << name << ": " << (value ? "On" : "Off") << "\n"; };
   os << indent << "ImageSize: " << this->ImageSize[0] << " x " << this->ImageSize[1] << "\n";
+  os << indent << "Supersampling: " << this->Supersampling << "\n";
   os << indent << "AmbientModel: " << (this->AmbientModel == SCENE ? "Scene" : "PerLight") << "\n";
   printSwitch("TwoSidedLighting", this->TwoSidedLighting);
   printColor("Background", this->Background);

@@ -24,7 +24,7 @@
  *
  * Progress is told, and an abort heeded, every few tens of milliseconds. After an abort or an
  * error the output is empty. An error names the cause and the remedy: an image size below 1 or
- * beyond memory, a background that is not finite, and what subclasses add.
+ * beyond memory, a supersampling outside 1 to 16, a background that is not finite, and what subclasses add.
  *
  * @warning
  * Only classes of this library can be subclasses: what they describe a scene with is not
@@ -41,6 +41,7 @@
 #include "vtkLambentModule.h" // For export macro
 
 #include <memory> // For the warnings given
+#include <string> // For messages
 
 class vtkImageData;
 
@@ -55,8 +56,8 @@ struct SceneSettings;
 class VTKLAMBENT_EXPORT vtkLambentAlgorithm : public vtkImageAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkLambentAlgorithm, vtkImageAlgorithm) void PrintSelf(
-    ostream& os, vtkIndent indent) override;
+  vtkAbstractTypeMacro(vtkLambentAlgorithm, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -65,6 +66,18 @@ public:
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number n of samples along each axis of a pixel, 1 to 16. A pixel is the average of
+   * n x n linear values, those of the picture of n times the size (a box filter), so that edges
+   * become smooth. The time grows less than the number of samples, the memory hardly.
+   * GenerateIds names what the sample (n / 2, n / 2) of the pixel sees, rounded down. n times
+   * the image size may not exceed 2147483647. Default: 1, one sample in the centre.
+   */
+  vtkSetMacro(Supersampling, int);
+  vtkGetMacro(Supersampling, int);
   ///@}
 
   enum AmbientModelType
@@ -163,6 +176,7 @@ protected:
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   int ImageSize[2];
+  int Supersampling;
   int AmbientModel;
   vtkTypeBool TwoSidedLighting;
   double Background[3];
@@ -175,6 +189,8 @@ private:
   vtkLambentAlgorithm(const vtkLambentAlgorithm&) = delete;
   void operator=(const vtkLambentAlgorithm&) = delete;
 
+  /// What is wrong with Supersampling, and the remedy; empty if nothing.
+  std::string DescribeSamplingDefect() const;
   void AddOwnSettings(lambent::adapters::SceneSettings& scene);
   void WarnOfIdleSettings(const lambent::adapters::SceneSettings& scene);
   /// Throws Aborted, or a std::exception with a message for the user.

@@ -49,8 +49,8 @@ vtkSmartPointer<vtkFloatArray> part(vtkDataArray* array, vtkIdType first, vtkIdT
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> makePiece(vtkPolyData* mesh, vtkIdType first, vtkIdType points,
-  const std::vector<vtkIdType>& corners)
+vtkSmartPointer<vtkPolyData> makePiece(
+  vtkPolyData* mesh, vtkIdType first, vtkIdType points, const std::vector<vtkIdType>& corners)
 {
   vtkNew<vtkPoints> coordinates;
   coordinates->SetData(part(mesh->GetPoints()->GetData(), first, points));

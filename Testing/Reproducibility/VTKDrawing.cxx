@@ -67,6 +67,7 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
     tracer->SetCamera(toCamera(scene.camera));
   }
   tracer->SetImageSize(stage.width, stage.height);
+  tracer->SetSupersampling(stage.samples);
   tracer->SetTwoSidedLighting(scene.twoSidedLighting);
   tracer->SetAmbientModel(scene.ambientModel == lambent::AmbientModel::Scene
       ? vtkLambentRayTracer::SCENE
