@@ -36,7 +36,7 @@ Metric ParseMetric(const std::string& text)
                         : throw BadValue("'" + text + "' is not max, rmse or ssim");
 }
 
-/// For CLI11: what is wrong with the name of a picture that is to be written.
+/// A CLI11 check: the error in the name of a picture to write, or an empty string.
 std::string IsWritable(const std::string& path)
 {
   return PictureKindOf(path) ? "" : "'" + path + "' does not end in one of " + PictureExtensions();

@@ -33,8 +33,8 @@ Pixel BytesOf(const Triple& color)
   return bytes;
 }
 
-/// True if each pixel of a picture of bytes has one of two colours. Begins in the middle, where
-/// a picture that shows something mostly does.
+/// True if each pixel of a picture of bytes has one of two colours. Starts in the middle, where
+/// most pictures show something.
 bool HasOnly(vtkImageData* picture, const Pixel& one, const Pixel& other)
 {
   auto* const colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
@@ -56,7 +56,7 @@ bool IsBlack(const Triple& color)
   return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
 }
 
-/// The scene, drawn so and before a black background.
+/// Renders the scene on a black background.
 vtkSmartPointer<vtkImageData> DrawOnBlack(Options options, const Meshes& meshes)
 {
   options.background = { 0, 0, 0 };
@@ -70,7 +70,7 @@ bool IsAllBlack(vtkImageData* picture)
   return HasOnly(picture, Black, Black);
 }
 
-/// White where a face is seen, of whatever colour, and black elsewhere.
+/// Renders every visible face white, whatever its colour, and everything else black.
 vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
 {
   options.shading = Shading::Unlit;
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
   return DrawOnBlack(options, meshes);
 }
 
-/// True if a picture is black wherever a face is seen.
+/// True if the picture is black wherever a face is visible.
 bool IsBlackWhereHit(vtkImageData* picture, vtkImageData* hits)
 {
   const auto* const colors =
@@ -94,10 +94,10 @@ bool IsBlackWhereHit(vtkImageData* picture, vtkImageData* hits)
   return true;
 }
 
-/// An experiment: what is changed in the scene, and what is the matter if that makes it light.
+/// A change to the scene, and the reason for the black picture if the change brightens it.
 struct Experiment
 {
-  /// False if that is how the scene is anyway.
+  /// Returns false if the scene already had that value.
   std::function<bool(Options&, LightValue&)> change;
   const char* reason;
 };
@@ -115,7 +115,7 @@ bool IsLamp(const LightValue& light)
   return light.kind == LightValue::Kind::Positional;
 }
 
-/// In this order; each goes on from those before it.
+/// Made in this order; each experiment keeps the changes of those before it.
 const std::vector<Experiment>& Experiments()
 {
   static const std::vector<Experiment> experiments{
@@ -152,7 +152,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
   }
   if (options.lights.empty())
   {
-    options.lights.emplace_back(); // the headlight that there is then
+    options.lights.emplace_back(); // the default headlight
   }
   if (std::all_of(options.lights.begin(), options.lights.end(),
         [](const LightValue& light) { return light.intensity <= 0 || IsBlack(light.color); }))

@@ -159,7 +159,7 @@ std::string IsPng(const std::string& path)
   return PictureKindOf(path) == PictureKind::Png ? "" : "'" + path + "' does not end in .png";
 }
 
-/// A picture that is drawn again brings its scene along.
+/// Rejects options about the scene beside --recreate: the picture already defines its scene.
 void CheckRecreate(const CLI::App& app)
 {
   static const std::set<std::string> fitting = { "recreate", "output", "threads", "quiet",

@@ -25,7 +25,7 @@ namespace
 const char* const ContractKey = "Lambent image contract";
 const char* const CommandKey = "Lambent command";
 
-/// A word that a POSIX shell reads as it is meant.
+/// The word, quoted for a POSIX shell if necessary.
 std::string Quoted(const std::string& word)
 {
   bool isPlain = !word.empty();
@@ -53,7 +53,7 @@ bool NamesTheView(const std::vector<std::string>& words)
     { return word.rfind("--direction", 0) == 0 || word.rfind("--camera-position", 0) == 0; });
 }
 
-/// The options of a command that came with a picture.
+/// Parses the command stored in a picture.
 Options ParseRecipe(const std::string& command)
 {
   std::vector<std::string> words = SplitWords(command);
@@ -61,11 +61,11 @@ Options ParseRecipe(const std::string& command)
   {
     throw Failure("its command is not one of lambent: " + OneLine(command));
   }
-  if (!NamesTheView(words)) // an older version drew it
+  if (!NamesTheView(words)) // written by an older version
   {
     words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
   }
-  words.insert(words.end(), { "-o", "-" }); // the parser wants to know where to
+  words.insert(words.end(), { "-o", "-" }); // the parser requires an output
   std::vector<const char*> argv;
   for (const std::string& word : words)
   {

@@ -126,7 +126,7 @@ std::array<int, 2> ParseSize(const std::string& text)
   const std::vector<std::string> parts = Split(text, 'x');
   const auto side = [](const std::string& digits)
   {
-    // Nine digits always fit an int; whether the picture fits memory is not known here.
+    // Nine digits always fit an int; whether the picture fits into memory is not known here.
     const bool isNumber = !digits.empty() && digits.size() <= 9 &&
       digits.find_first_not_of("0123456789") == std::string::npos;
     return isNumber ? std::stoi(digits) : 0;
