@@ -25,7 +25,7 @@ namespace lambent::command
 namespace
 {
 
-/// Whether isRight(begin, end) for all parts of a range.
+/// Whether isRight(begin, end) holds for all parts of a range. The parts run in parallel.
 template <typename Check>
 bool IsRight(vtkIdType count, const Check& isRight)
 {
@@ -50,7 +50,7 @@ bool AreOffsetsSound(const Value* offsets, vtkIdType last, vtkIdType ids)
       last, [offsets](vtkIdType begin, vtkIdType end) { return DoIncrease(offsets, begin, end); });
 }
 
-/// Whether all ids are from 0 to less than the number of points.
+/// Whether all ids are in [0, numberOfPoints).
 template <typename Value>
 bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
@@ -74,13 +74,13 @@ bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
     " points, from 0 on; correct it in the program that writes the file, or get a whole copy");
 }
 
-/// What is expected of the points of a cell.
+/// The number of points that a type of cell must have.
 struct Points
 {
-  bool IsKnown = false;  ///< there is such a type
-  vtkIdType Exactly = 0; ///< if this is not 0
-  bool IsEven = false;   ///< corners, and as many nodes between them
-  bool IsLooked = false; ///< this has been looked up
+  bool IsKnown = false;  ///< VTK has this type
+  vtkIdType Exactly = 0; ///< the exact number; 0: any
+  bool IsEven = false;   ///< as many mid-edge nodes as corners
+  bool IsLooked = false; ///< this entry has been filled in
 };
 
 Points PointsOfType(int type)

@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-/// How the names of files of each type end.
+/// The extension for each type of file.
 constexpr std::pair<const char*, const char*> Endings[] = { { "PolyData", ".vtp" },
   { "UnstructuredGrid", ".vtu" }, { "ImageData", ".vti" }, { "RectilinearGrid", ".vtr" },
   { "StructuredGrid", ".vts" }, { "vtkMultiBlockDataSet", ".vtm" }, { "PPolyData", ".pvtp" },

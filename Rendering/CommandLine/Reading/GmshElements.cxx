@@ -56,7 +56,7 @@ private:
     return 1;
   }
 
-  /// In binary files elements of a type and number of tags come together.
+  /// In binary files, elements with the same type and number of tags form a block.
   std::int64_t TakeElementBlock2()
   {
     const std::int64_t type = this->Cursor.TakeInt("the type of an element");

@@ -73,7 +73,7 @@ bool InpLines::NextOfAnyKind()
   }
   if (this->At != this->End)
   {
-    const bool isPair = this->At[0] == '\r' && this->At[1] == '\n'; // a zero byte is at the end
+    const bool isPair = this->At[0] == '\r' && this->At[1] == '\n'; // a zero byte follows the file
     this->At += isPair ? 2 : 1;
   }
   ++this->Number;
@@ -151,7 +151,7 @@ std::int64_t InpLines::Node(double coordinates[3]) const
   {
     coordinates[axis] = 0;
     std::string field = axis + 1 < fields.size() ? fields[axis + 1] : std::string();
-    std::replace(field.begin(), field.end(), 'D', 'E'); // how Fortran writes 1e3
+    std::replace(field.begin(), field.end(), 'D', 'E'); // Fortran writes 1D3 for 1e3
     const char* const last = field.c_str() + field.size();
     if (!field.empty() && ReadNumber(field.c_str(), last, coordinates[axis]) != last)
     {

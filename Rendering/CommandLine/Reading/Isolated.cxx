@@ -25,26 +25,26 @@ namespace lambent::command
 namespace
 {
 
-/// How many times its CPU time a reader may take altogether: one that waits takes none.
+/// The limit on a reader's elapsed time, as a multiple of its CPU time: waiting takes no CPU time.
 constexpr unsigned long waitFactor = 12;
 
-/// Parts the child from what is the parent's: its handlers, which tidy up, the terminal, and the
-/// threads of VTK, which a child does not inherit and would wait for.
+/// Detaches the child from the parent's signal handlers, which clean up for the parent, from the
+/// standard streams, and from VTK's threads, which a child does not inherit and would wait for.
 void Detach()
 {
   vtkSMPTools::SetBackend("Sequential");
   for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGALRM })
   {
-    std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
+    std::signal(signal, SIG_DFL);
   }
-  // Libraries, the C library's checks and std::terminate() print what nobody can use.
+  // Libraries, the C library's checks and std::terminate() print messages of no use to the user.
   const int null = open("/dev/null", O_RDWR);
   dup2(null, STDIN_FILENO);
   dup2(null, STDOUT_FILENO);
   dup2(null, STDERR_FILENO);
 }
 
-/// The child's work: reads, and sends what comes of it.
+/// Runs in the child: reads the file and sends the result.
 void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int file,
   VtkMessages& messages, Progress& progress)
 {
@@ -73,7 +73,7 @@ void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int 
   }
 }
 
-/// What the child has to say. Null: it ended before it had said all.
+/// Receives the child's messages. Returns null if the child ended before its last message.
 vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
 {
   MeshPipeReader pipe(file);
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
   return nullptr;
 }
 
-/// A child process; killed, if it still runs, and waited for.
+/// A child process. The destructor kills it, if it still runs, and waits for it.
 class Child
 {
 public:
@@ -113,7 +113,7 @@ public:
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Its status, as waitpid() has it.
+  /// Waits for the child, after killing it if it is unwanted. Returns its status from waitpid().
   int End(bool isUnwanted)
   {
     if (this->Id > 0)
@@ -173,7 +173,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
     TakeLimits(limits);
     alarm(static_cast<unsigned int>(waitFactor * limits.seconds));
     ReadAndSend(read, ends[1], messages, progress);
-    _exit(0); // destructors and exit handlers are the parent's
+    _exit(0); // skip destructors and exit handlers, which belong to the parent
   }
   close(ends[1]);
   if (id < 0)
@@ -191,7 +191,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
   }
   for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
   {
-    CheckCells(cells, mesh->GetNumberOfPoints()); // a reader that went wrong may still end well
+    CheckCells(cells, mesh->GetNumberOfPoints()); // a faulty reader may still exit normally
   }
   return mesh;
 }

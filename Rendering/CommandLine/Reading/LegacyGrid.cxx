@@ -18,7 +18,8 @@ namespace lambent::command
 namespace
 {
 
-/// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
+/// Whether the points of a polyhedron are valid: "number of faces, number of points of a face, ids,
+/// number of points of a face, ids, ...".
 bool IsStreamOfFaces(vtkIdType size, const vtkIdType* stream)
 {
   if (size < 1 || stream[0] < 1)

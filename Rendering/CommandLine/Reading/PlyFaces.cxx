@@ -28,7 +28,7 @@ std::size_t FindVertexList(const PlyElement& element, const std::string& what)
   return list;
 }
 
-/// Takes the vertex lists of the faces.
+/// Collects the vertex lists of the faces.
 template <typename IdArray>
 struct FaceSink
 {
@@ -80,7 +80,7 @@ void ReadFaces(PlyCursor& cursor, const PlyElement& element,
   mesh->SetPolys(polygons);
 }
 
-/// Takes the strips out of the lists.
+/// Collects the strips from the lists.
 struct StripSink
 {
   std::size_t list; ///< the property that holds them

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Input files of Abaqus, which other programs write, too: *NODE and *ELEMENT, in parts or not.
-// Keywords that make nodes or elements in other ways are refused, as something would be missing;
-// all others are passed over. Reference: Abaqus Keywords Reference Guide.
+// Reads *NODE and *ELEMENT, in parts or not, from Abaqus input files, which other programs write
+// too. Rejects keywords that create or move nodes or elements in other ways, because the mesh would
+// be incomplete. Skips all other keywords. Reference: Abaqus Keywords Reference Guide.
 
 #include "AbaqusTypes.h"
 #include "FileBytes.h"
@@ -24,7 +24,7 @@ namespace lambent::command
 namespace
 {
 
-/// They make nodes or elements from others, or move them.
+/// Keywords that create nodes or elements from others, or move them.
 const char* const Refused[] = { "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM" };
 
 class AbaqusReader
@@ -70,10 +70,10 @@ private:
     Instance
   };
 
-  /// AVS UCD begins with five counts.
+  /// Fails for a file that does not begin with a keyword. AVS UCD files begin with five counts.
   [[noreturn]] void ThrowOther()
   {
-    while (!this->Lines.Text().empty() && this->Lines.Text()[0] == '#') // a comment of AVS
+    while (!this->Lines.Text().empty() && this->Lines.Text()[0] == '#') // an AVS comment
     {
       this->Lines.Next();
     }
@@ -222,7 +222,7 @@ private:
   Data Next = Data::Other;
   AbaqusType Type;
   std::string TypeName;
-  std::vector<std::int64_t> Numbers; // of an element and its nodes, as far as they are read
+  std::vector<std::int64_t> Numbers; // the numbers read so far of an element and its nodes
   bool HasElements = false;
   bool HasMovedInstance = false;
   std::size_t LeftOut = 0;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// GIFTI, the format of surfaces of brains: XML with a DataArray of points (NIFTI_INTENT_POINTSET)
+// Reads GIFTI, a format for brain surfaces: XML with a DataArray of points (NIFTI_INTENT_POINTSET)
 // and one of triangles (NIFTI_INTENT_TRIANGLE). The first array of triangles belongs to the first
-// of points, and so on; all are one mesh. Other arrays, and the matrices that lead from the
-// coordinates of the file to others, are passed over.
+// array of points, and so on; all of them form one mesh. Other arrays and the coordinate transforms
+// are ignored.
 
 #include "CellLists.h"
 #include "CheckedReader.h"
@@ -35,7 +35,7 @@ using Arrays = std::vector<std::vector<double>>;
 constexpr const char* PointSet = "NIFTI_INTENT_POINTSET";
 constexpr const char* Triangle = "NIFTI_INTENT_TRIANGLE";
 
-/// Gathers the arrays of points and triangles.
+/// Collects the arrays of points and triangles.
 class GiftiParser
   : public vtkXMLParser
   , public CheckedReader

@@ -22,7 +22,7 @@ vtkSmartPointer<vtkDataObject> ReadGltf(
     {
       throw Failure(warning + "; save it without");
     }
-    if (warning.find("is used in this model") == std::string::npos) // of materials, mostly
+    if (warning.find("is used in this model") == std::string::npos) // mostly about materials
     {
       vtkGenericWarningMacro(<< warning);
     }

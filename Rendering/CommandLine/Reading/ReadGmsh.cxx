@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The native format of Gmsh, versions 2 and 4.1, text or binary: sections between $Name and
-// $EndName, of which $MeshFormat, $Nodes and $Elements matter here. Points and lines are passed
-// over; elements of any order are drawn by their corners. Reference: the manual of Gmsh, "MSH file
-// format" and "MSH file format version 2 (Legacy)".
+// Reads Gmsh's native format, versions 2 and 4.1, text or binary. A file consists of sections
+// between $Name and $EndName, of which $MeshFormat, $Nodes and $Elements are used. Points and lines
+// are skipped; higher-order elements are reduced to their corners. Reference: Gmsh manual, "MSH
+// file format" and "MSH file format version 2 (Legacy)".
 
 #include "FileBytes.h"
 #include "GmshElements.h"

@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-/// A count is believed only if the rest of the file can hold it: memory is taken by it.
+/// Rejects a count that the rest of the file cannot hold, because it determines an allocation.
 void CheckCount(const PlyCursor& cursor, const PlyElement& element)
 {
   for (const PlyProperty& property : element.properties)
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkPolyData> ReadPly(
   const FileBytes file(path);
   const PlyHeader header = ParsePlyHeader(file.view());
   PlyCursor cursor(file.view(), header);
-  // A file of less than 2 GB cannot hold more than 2^31 - 1 ids; they then take half the room.
+  // A file of less than 2 GiB cannot hold more than 2^31 - 1 ids; 32-bit ids take half the memory.
   const bool idsAreShort = file.size() <= std::numeric_limits<std::int32_t>::max();
 
   auto mesh = vtkSmartPointer<vtkPolyData>::New();

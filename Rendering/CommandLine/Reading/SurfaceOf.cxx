@@ -39,7 +39,7 @@ void CheckDataSet(vtkDataSet* data)
   }
 }
 
-/// The data sets with points in a data object, each checked.
+/// The data sets with points in a data object, after checking each.
 std::vector<vtkDataSet*> DataSetsIn(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> found;

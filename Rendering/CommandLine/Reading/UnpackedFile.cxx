@@ -32,7 +32,7 @@ using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 constexpr std::uintmax_t FreeSize = std::uintmax_t{ 64 } << 20;
 constexpr std::uintmax_t MostRatio = 256;
 
-/// zlib's state; a gzip file is one or more members, each with a header, a length and a check sum.
+/// zlib's state. A gzip file has one or more members, each with a header, a length and a checksum.
 class Inflater
 {
 public:
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// Whether there is packed data to look at.
+  /// Reads more packed data if necessary. Returns false at the end of the file.
   bool Fill()
   {
     z_stream& state = this->Inflate.State;
@@ -105,7 +105,8 @@ private:
     return state.avail_in > 0;
   }
 
-  /// Members begin with the byte 31. As gzip does, skip zeros that fill a tape, and warn of others.
+  /// Members begin with the byte 31. Like gzip, ignores trailing zeros, which pad tapes, and warns
+  /// about other bytes.
   bool StartsMember(bool hasMember)
   {
     const unsigned char first = *this->Inflate.State.next_in;
@@ -125,7 +126,7 @@ private:
     return false;
   }
 
-  /// False at the end of a member.
+  /// Returns false at the end of a member.
   bool InflateSome()
   {
     z_stream& state = this->Inflate.State;
