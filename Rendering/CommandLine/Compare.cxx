@@ -131,7 +131,7 @@ std::string HowToAccept(const Options& options)
 {
   const std::string& picture = options.picture.empty() ? options.output : options.picture;
   return (picture.empty() || picture == "-"
-             ? "if it is meant, accept it"
+             ? "if it is intended, accept it"
              : "look at '" + picture + "'; if it is right, accept it") +
     " by running this again with LAMBENT_UPDATE_BASELINES=1 in the environment" +
     (IsUnderCTest() ? ", or by building the target lambent-update-baselines" : "");

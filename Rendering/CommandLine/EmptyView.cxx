@@ -196,7 +196,7 @@ std::string WhyNothingIsHit(const Options& options,
   }
   if (faces.largestArea <= 0)
   {
-    return "none of the faces has an area; their corners lie in one line or place";
+    return "none of the faces has an area; their corners lie on a line or at a point";
   }
   if (!faces.isInFront)
   {
@@ -204,16 +204,14 @@ std::string WhyNothingIsHit(const Options& options,
   }
   if (faces.largestSeenArea <= EdgeOn * faces.largestArea)
   {
-    return "the faces are flat and seen along their plane; try --direction " +
-      DirectionAlong(faces.normal) +
+    return "the faces are flat and seen edge-on; try --direction " + DirectionAlong(faces.normal) +
       (options.cameraPosition ? " instead of --camera-position" : "");
   }
   if (!faces.isInView)
   {
     return "no face lies in the view of the camera" + tryWithout;
   }
-  return "the faces are so small there that they fall between the pixels; try a larger --zoom or "
-         "--size";
+  return "the faces look so small that they fall between the pixels; try a larger --zoom or --size";
 }
 
 } // namespace lambent::command

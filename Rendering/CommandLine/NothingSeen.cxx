@@ -120,23 +120,23 @@ const std::vector<Experiment>& Experiments()
 {
   static const std::vector<Experiment> experiments{
     { [](Options&, LightValue& light) { return IsLamp(light) && Set(light.cone, 180.0); },
-      "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+      "no visible face lies in the cone of a light; try a wider cone or another focal point in "
       "--light" },
     { [](Options&, LightValue& light) {
        return IsLamp(light) && Set(light.attenuation, Triple{ 1, 0, 0 });
      },
       "the lights are too far away for their attenuation; try a smaller one in --light" },
     { [](Options&, LightValue& light) { return Set(light.intensity, 1e6); },
-      "the light in it is too weak to show; try a larger intensity in --light" },
+      "the light is too weak to show; try a larger intensity in --light" },
     { [](Options&, LightValue& light) { return Set(light.kind, LightValue::Kind::Headlight); },
-      "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2" },
+      "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2" },
     { [](Options&, LightValue& light) {
        return Set(light.color, Triple{ 1, 1, 1 });
      },
-      "the light in it has none of the colours that the faces reflect; try another --color, or "
+      "the light has none of the colours that the faces reflect; try another --color, or "
       "another color in --light" },
     { [](Options& options, LightValue&) { return Set(options.shading, Shading::Flat); },
-      "the normals of the mesh point away from the light, or are none; try --shading flat" },
+      "the normals of the mesh are invalid or point away from the light; try --shading flat" },
   };
   return experiments;
 }
@@ -148,7 +148,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
     options.ambient > 0 && !IsBlack(options.ambientColor.value_or(options.color));
   if (options.shading == Shading::Unlit || (!reflectsDiffuse && !reflectsAmbient))
   {
-    return "all faces in it are black; try another --color, --diffuse or --ambient";
+    return "all visible faces are black; try another --color, --diffuse or --ambient";
   }
   if (options.lights.empty())
   {
@@ -171,7 +171,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
       return experiment.reason;
     }
   }
-  return "hardly any light falls on the faces in it; try --ambient 0.2";
+  return "hardly any light falls on the visible faces; try --ambient 0.2";
 }
 
 } // namespace
@@ -193,11 +193,11 @@ std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkIm
   }
   if (IsBlackWhereHit(picture, hits))
   {
-    return (background == Black ? nothing : "the picture shows black only: ") +
+    return (background == Black ? nothing : "the picture shows only black: ") +
       WhyAllIsBlack(options, meshes);
   }
   return HasOnly(picture, background, background)
-    ? nothing + "all faces in it have the colour of the background; try another --background"
+    ? nothing + "all visible faces have the colour of the background; try another --background"
     : "";
 }
 

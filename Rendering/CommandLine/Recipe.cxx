@@ -59,7 +59,7 @@ Options ParseRecipe(const std::string& command)
   std::vector<std::string> words = SplitWords(command);
   if (words.empty() || words.front() != "lambent")
   {
-    throw Failure("its command is not one of lambent: " + OneLine(command));
+    throw Failure("its command is not a lambent command: " + OneLine(command));
   }
   if (!NamesTheView(words)) // written by an older version
   {
@@ -172,13 +172,13 @@ Options ReadRecipe(const Options& options)
                       *const command = reader->GetText(CommandKey);
     if (!contract || !command)
     {
-      throw Failure("it does not tell how it was drawn; only PNG files of this command do");
+      throw Failure("it does not record how it was drawn; only PNG files of this command do");
     }
     const std::string ours = std::to_string(vtkLambentRayTracer::GetImageContractVersion());
     if (contract != ours && !options.quiet)
     {
       Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract) +
-        ", this is " + ours + "; bits may differ");
+        ", but this version has " + ours + "; bits may differ");
     }
     Options drawing = ParseRecipe(command);
     drawing.output = options.output;

@@ -164,7 +164,7 @@ void AddToReport(const std::string& path, const std::string& name, const std::st
     }
     if (page.compare(0, Mark.size(), Mark) != 0)
     {
-      throw Failure("it is there, and is no report of lambent; choose another name");
+      throw Failure("it exists and is not a report of lambent; choose another name");
     }
     file.Replace(WithSection(page, name, section));
   }

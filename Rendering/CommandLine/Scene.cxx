@@ -123,7 +123,7 @@ void PlaceCamera(const Options& options, vtkLambentRayTracer* tracer)
   const Triple focus = options.focalPoint.value_or(FocalPoint(camera));
   if (focus == *options.cameraPosition) // vtkCamera would silently move one of them
   {
-    throw Failure("cannot render: the camera is where it looks; move --camera-position or "
+    throw Failure("cannot render: the camera is at its focal point; move --camera-position or "
                   "--focal-point");
   }
   camera->SetFocalPoint(focus.data());

@@ -65,7 +65,7 @@ std::filesystem::path Resolve(const std::string& target)
   const std::filesystem::path resolved = error ? std::filesystem::path(target) : path;
   if (!std::filesystem::is_directory(FolderOf(resolved), error))
   {
-    throw Failure("there is no folder '" + FolderOf(target).string() + "'; make it first");
+    throw Failure("there is no folder '" + FolderOf(target).string() + "'; create it first");
   }
   const std::filesystem::file_status status = std::filesystem::status(resolved, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
@@ -123,7 +123,8 @@ void TemporaryFile::Write(const void* bytes, std::size_t size)
   isWritten &= file && std::fclose(file) == 0; // a network drive reports here that it is full
   if (!isWritten)
   {
-    throw Failure(std::string(std::strerror(error)) + "; make room, or choose another folder");
+    throw Failure(
+      std::string(std::strerror(error)) + "; free some space, or choose another folder");
   }
 }
 

@@ -37,7 +37,7 @@ void CheckWriter(Writer* writer, VtkMessages& messages)
   const unsigned long code = writer->GetErrorCode();
   if (code == vtkErrorCode::OutOfDiskSpaceError)
   {
-    throw Failure("the disk is full, or the file too large for it; make room");
+    throw Failure("the disk is full, or the file is too large for it; free some space");
   }
   if (!error.empty() || code != vtkErrorCode::NoError)
   {
@@ -135,7 +135,7 @@ void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
   reader->Update();
   if (!messages.TakeError().empty() || !IsSame(image, reader->GetOutput()))
   {
-    throw Failure("the disk is full, or the file too large for it; make room");
+    throw Failure("the disk is full, or the file is too large for it; free some space");
   }
 }
 

@@ -32,7 +32,8 @@ void CheckPoint(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType id)
   {
     FailForFaces(cell,
       " has a face that names point " + std::to_string(id) +
-        ", which does not exist: the file has " + std::to_string(points) + " points, from 0 on");
+        ", which does not exist: the file has " + std::to_string(points) +
+        " points, numbered from 0");
   }
 }
 
@@ -86,7 +87,7 @@ void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
     vtkIdType points = at < size ? faces->GetValue(at++) : -1;
     if (points < 0 || points > size - at)
     {
-      FailForFaces(cell, " has faces that do not add up");
+      FailForFaces(cell, " has inconsistent faces");
     }
     for (; points > 0; --points)
     {

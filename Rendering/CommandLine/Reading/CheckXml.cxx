@@ -87,7 +87,7 @@ private:
       if (!this->CanHold(number->GetComponent(0, 0)))
       {
         throw Failure("it is cut short or broken: the last offset of '" +
-          std::string(cells->GetName()) + "' cannot be; get a whole copy of it");
+          std::string(cells->GetName()) + "' is impossible; get a whole copy of it");
       }
     }
   }

@@ -40,7 +40,7 @@ void XmlCellsCheck::Check(
     if (!parser.CanHold(LastOffset(values)))
     {
       throw Failure("it is cut short or broken: the last value of '" + name +
-        "' cannot be; get a whole copy of it");
+        "' is impossible; get a whole copy of it");
     }
     if (name == "faceoffsets")
     {

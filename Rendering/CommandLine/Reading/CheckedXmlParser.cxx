@@ -32,7 +32,7 @@ std::string Attribute(vtkXMLDataElement* element, const char* name)
 [[noreturn]] void Fail(vtkXMLDataElement* element, const std::string& what)
 {
   throw Failure("it is cut short or broken: " + what + " of '" + element->GetName() + " " +
-    Attribute(element, "Name") + "' cannot be; get a whole copy of it");
+    Attribute(element, "Name") + "' is impossible; get a whole copy of it");
 }
 
 } // namespace

@@ -74,8 +74,8 @@ std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
   const std::set<std::string>& names = ofPoints.empty() ? ofCells : ofPoints;
   if (names.size() != 1)
   {
-    throw Failure((names.empty() ? "there is no array in it with one value a point or cell"
-                                 : "--contour does not say of which array") +
+    throw Failure((names.empty() ? "it has no array with one value per point or cell"
+                                 : "--contour does not name one of its arrays") +
       std::string("; its arrays: ") + DescribeArrays(volumes));
   }
   return *names.begin();
@@ -199,7 +199,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ContoursOf(const std::vector<vtkDataSe
     std::ostringstream value;
     value << contour.value;
     throw Failure((isKnown ? "no surface in it has " + name + " = " + value.str()
-                           : "it has no array '" + name + "' with one value a point or cell") +
+                           : "it has no array '" + name + "' with one value per point or cell") +
       "; its arrays: " + DescribeArrays(volumes));
   }
   return surfaces;

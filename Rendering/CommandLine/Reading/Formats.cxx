@@ -131,11 +131,11 @@ std::string InnerExtensionOf(const std::string& path)
   {
     if (Contains(extensions, extension))
     {
-      throw Failure("files of the kind " + extension + " are not read; " + remedy +
+      throw Failure("files of the kind " + extension + " cannot be read; " + remedy +
         ", to a name that ends in one of " + kinds);
     }
   }
-  throw Failure("its kind is not known; its name has to end in one of " + kinds);
+  throw Failure("its kind is not known; its name must end in one of " + kinds);
 }
 
 } // namespace
@@ -180,7 +180,7 @@ const Format& RequireFormat(const std::string& path)
   {
     throw Failure(std::string("this build of lambent was made without ") + format->library +
       ", which reads " + format->extensions +
-      "; install it and build anew, or convert the file to " + "one of " + MeshExtensions());
+      "; install it and build again, or convert the file to " + "one of " + MeshExtensions());
   }
   if (IsGzipped(path) && !HasZlib)
   {

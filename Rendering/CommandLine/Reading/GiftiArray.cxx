@@ -84,7 +84,7 @@ std::vector<double> DecodeText(const std::string& text, std::size_t count)
     const char* const behind = ReadNumber(at, end, value);
     if (behind == at || (behind != end && !IsSpace(*behind)))
     {
-      throw Failure("its number " + std::to_string(values.size()) + " is none" + Whole);
+      throw Failure("its value " + std::to_string(values.size()) + " is not a number" + Whole);
     }
     if (values.size() == count)
     {
@@ -176,8 +176,8 @@ std::vector<double> DecodeBytes(
   {
     if (size > FreeSize + MostRatio * bytes.size())
     {
-      throw Failure("its Dim0 promises more than " + std::to_string(MostRatio) +
-        " times the size of its packed data, as no mesh needs" + Whole);
+      throw Failure("its Dim0 declares more than " + std::to_string(MostRatio) +
+        " times the size of its packed data, which no mesh needs" + Whole);
     }
     bytes = Inflate(bytes, size);
   }

@@ -204,8 +204,8 @@ void CheckHigherOrder(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   if (shape == Shape::Hexahedron && DegreesOf(grid))
   {
     throw Failure(CellWithType(cell, type) +
-      " has not as many points as its orders in the array "
-      "HigherOrderDegrees ask for" +
+      " does not have the number of points that its orders in the array "
+      "HigherOrderDegrees require" +
       CorrectCell);
   }
   std::string counts;

@@ -132,7 +132,7 @@ void InpLines::AddIntegers(std::vector<std::int64_t>& numbers) const
     const char* const end = ReadInteger(field.c_str(), number);
     if (field.empty() || *end != '\0')
     {
-      this->Fail(Quoted(field) + " where the number of an element or node is due");
+      this->Fail("found " + Quoted(field) + " where the number of an element or node is expected");
     }
     numbers.push_back(number);
   }
@@ -145,7 +145,7 @@ std::int64_t InpLines::Node(double coordinates[3]) const
   const char* const end = ReadInteger(fields[0].c_str(), number);
   if (fields[0].empty() || *end != '\0')
   {
-    this->Fail(Quoted(fields[0]) + " where the number of a node is due");
+    this->Fail("found " + Quoted(fields[0]) + " where the number of a node is expected");
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -155,8 +155,8 @@ std::int64_t InpLines::Node(double coordinates[3]) const
     const char* const last = field.c_str() + field.size();
     if (!field.empty() && ReadNumber(field.c_str(), last, coordinates[axis]) != last)
     {
-      this->Fail(
-        Quoted(field) + " where a coordinate of node " + std::to_string(number) + " is due");
+      this->Fail("found " + Quoted(field) + " where a coordinate of node " +
+        std::to_string(number) + " is expected");
     }
   }
   return number;

@@ -64,8 +64,8 @@ void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int 
   catch (const std::bad_alloc&)
   {
     pipe.Send(MessageTag::Error,
-      "its reader asks for far more memory than a file of its size needs; is it whole, and of the "
-      "kind that its name tells?");
+      "its reader asks for far more memory than a file of its size needs; check that the file is "
+      "complete and has the right extension");
   }
   catch (const std::exception& reason)
   {
@@ -140,16 +140,16 @@ private:
 [[noreturn]] void ThrowEnd(int status, const ChildLimits& limits)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const std::string advice = "; is it whole, and of the kind that its name tells?";
+  const std::string advice = "; check that the file is complete and has the right extension";
   if (signal == SIGXCPU || signal == SIGALRM)
   {
     const unsigned long factor = signal == SIGALRM ? waitFactor : 1;
-    throw Failure("its reader came to no end in " + std::to_string(factor * limits.seconds) +
+    throw Failure("its reader did not finish in " + std::to_string(factor * limits.seconds) +
       (signal == SIGALRM ? " seconds" : " seconds of CPU time") + advice);
   }
   if (signal == SIGKILL)
   {
-    throw Failure("its reader was killed, perhaps since the machine ran out of memory" + advice);
+    throw Failure("its reader was killed, perhaps because the machine ran out of memory" + advice);
   }
   throw Failure("its reader crashed" +
     (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);
@@ -179,8 +179,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
   if (id < 0)
   {
     close(ends[0]);
-    throw Failure(
-      std::string("it cannot be read in a process of its own: ") + std::strerror(errno));
+    throw Failure(std::string("it cannot be read in a separate process: ") + std::strerror(errno));
   }
   Child child(id, ends[0]);
   const vtkSmartPointer<vtkPolyData> mesh = Receive(ends[0], progress);

@@ -76,7 +76,7 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   if (at != size)
   {
     throw Failure("the list of its " + std::to_string(cells) + " " + keyword + " has " +
-      std::to_string(at) + " numbers, and its first line says " + std::to_string(size) +
+      std::to_string(at) + " numbers, but its first line says " + std::to_string(size) +
       "; correct that line, or get a whole copy");
   }
   offsets->SetValue(cells, ids);
@@ -122,7 +122,7 @@ vtkIdType LegacyCells::ReadCount(const std::string& keyword) const
   if (count < 0 || static_cast<std::uint64_t>(count) > this->FileSize)
   {
     throw Failure("it is cut short or broken: it is too small for the count of " +
-      std::to_string(count) + " behind its keyword " + keyword + "; get a whole copy of it");
+      std::to_string(count) + " after its keyword " + keyword + "; get a whole copy of it");
   }
   return count;
 }

@@ -55,7 +55,7 @@ void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<
     if (type < 0 || type > 255)
     {
       throw Failure("its cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
-        ", and there is no such type" + CorrectCell);
+        ", but there is no such type" + CorrectCell);
     }
     if (type == VTK_POLYHEDRON)
     {

@@ -142,7 +142,7 @@ float ObjParser::ToFloat(double value) const
 {
   if (std::fabs(value) > static_cast<double>(std::numeric_limits<float>::max()))
   {
-    throw this->Cursor.FailureHere("it has a number beyond what a float can hold");
+    throw this->Cursor.FailureHere("it has a number beyond the range of a float");
   }
   return static_cast<float>(value);
 }
@@ -227,8 +227,8 @@ Corner ObjParser::TakeCorner()
   }
   if (!isThere[0] || !this->Cursor.IsBehindNumber(at))
   {
-    throw this->Cursor.FailureHere(
-      this->Cursor.QuotedWord() + " where a corner like 1, 1/1, 1//1 or 1/1/1 is due");
+    throw this->Cursor.FailureHere("found " + this->Cursor.QuotedWord() +
+      " where a corner like 1, 1/1, 1//1 or 1/1/1 is expected");
   }
   const std::size_t line = this->Cursor.Line();
   this->Cursor.MoveTo(at);

@@ -138,7 +138,7 @@ void ReadPlyStrips(PlyCursor& cursor, const PlyElement& element,
   Walk(cursor, element, progress, sink);
   if (sink.tooShort > 0)
   {
-    vtkGenericWarningMacro(<< "triangle strips of fewer than 3 points are left out; it has "
+    vtkGenericWarningMacro(<< "triangle strips of fewer than 3 points are skipped; it has "
                            << sink.tooShort << " of them");
   }
   mesh->SetStrips(MakeCellArray(sink.strips));

@@ -143,7 +143,7 @@ PlyHeader ParsePlyHeader(std::string_view file)
     const bool isRead = keyword == "format" || keyword == "element" || keyword == "property";
     if (isRead && (words.fail() || (keyword != "format" && !(words >> std::ws).eof())))
     {
-      throw Failure("line " + std::to_string(lineNumber + 1) + " of its header is not whole");
+      throw Failure("line " + std::to_string(lineNumber + 1) + " of its header is incomplete");
     }
   }
   if (!hasFormat)

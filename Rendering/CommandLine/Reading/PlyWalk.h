@@ -43,7 +43,7 @@ void Walk(
     {
       throw Failure("it is cut short: it ends within " + element.name + " " + std::to_string(item) +
         " of " + std::to_string(element.count) +
-        (cursor.GetLeftOver() == 0 ? "" : "; an element has a line of its own"));
+        (cursor.GetLeftOver() == 0 ? "" : "; each element needs its own line"));
     }
   };
   for (; item < element.count && !element.properties.empty(); ++item)

@@ -53,8 +53,8 @@ public:
     this->EndElement();
     if (!this->HasElements)
     {
-      throw Failure("there are no elements (*ELEMENT) in it; is it whole, and of the kind that its "
-                    "name tells?");
+      throw Failure("it has no elements (*ELEMENT); check that the file is complete and has the "
+                    "right extension");
     }
     this->Warn();
     return this->Mesh.MakeData();
@@ -81,10 +81,11 @@ private:
     if (!text.empty() &&
       std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }))
     {
-      throw Failure("it is a mesh of AVS (UCD), not of Abaqus; convert it with meshio to .vtu");
+      throw Failure("it is an AVS (UCD) mesh, not an Abaqus one; convert it with meshio to .vtu");
     }
-    throw Failure("it does not begin with a keyword such as *NODE, as files of Abaqus do; convert "
-                  "others of this name to one of the kinds of lambent --formats");
+    throw Failure(
+      "it does not begin with a keyword such as *NODE, as Abaqus files do; convert other "
+      ".inp files to one of the kinds that lambent --formats lists");
   }
 
   void TakeKeyword()
@@ -118,19 +119,19 @@ private:
     if (keyword.name == "INCLUDE" || (isMesh && keyword.parameters.count("INPUT") > 0))
     {
       this->Lines.Fail("*" + keyword.name +
-        " names another file, which is not read; put its lines in the place of this one");
+        " names another file, which is not read; replace this line by the lines of that file");
     }
     const auto system = keyword.parameters.find("SYSTEM");
     if (isMesh && system != keyword.parameters.end() && system->second != "R")
     {
       this->Lines.Fail("its nodes are not in rectangular coordinates (*NODE, SYSTEM=" +
-        Quoted(system->second) + "); save them in such");
+        Quoted(system->second) + "); save them in rectangular ones");
     }
     if (std::find(std::begin(Refused), std::end(Refused), keyword.name) != std::end(Refused))
     {
       this->Lines.Fail("*" + keyword.name +
-        " makes or moves nodes or elements, which is not done here; save the file with all of them "
-        "in *NODE and *ELEMENT");
+        " creates or moves nodes or elements, which is not supported; save the file with all of "
+        "them in *NODE and *ELEMENT");
     }
   }
 
@@ -207,7 +208,8 @@ private:
     if (this->LeftOut > 0)
     {
       vtkGenericWarningMacro("elements of types that are not drawn, such as "
-        << Quoted(this->FirstLeftOut) << ", are left out; they take " << this->LeftOut << " lines");
+        << Quoted(this->FirstLeftOut) << ", are skipped; they take up " << this->LeftOut
+        << " lines");
     }
     if (this->HasMovedInstance)
     {

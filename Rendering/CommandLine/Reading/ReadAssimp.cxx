@@ -168,8 +168,8 @@ vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string& path, VtkMessages&,
     importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_ValidateDataStructure | join);
   if (!scene || !scene->mRootNode)
   {
-    throw Failure(
-      OneLine(importer.GetErrorString()) + "; is it whole, and of the kind that its name tells?");
+    throw Failure(OneLine(importer.GetErrorString()) +
+      "; check that the file is complete and has the right extension");
   }
   SceneMesh mesh(scene);
   mesh.AddNode(scene->mRootNode, aiMatrix4x4());

@@ -30,8 +30,8 @@ Root ParseXml(const std::string& path, VtkMessages& messages)
   const std::string error = messages.TakeError();
   if (!root || !error.empty() || std::string(root->GetName()) != "VTKFile")
   {
-    throw Failure((error.empty() ? "it is not one of VTK's XML files" : error) +
-      "; is it whole, and of the kind that its name tells?");
+    throw Failure((error.empty() ? "it is not a VTK XML file" : error) +
+      "; check that the file is complete and has the right extension");
   }
   return root;
 }
@@ -139,7 +139,8 @@ std::vector<std::string> PiecesIn(const std::string& path, VtkMessages& messages
   const Names names = AttributesOf(ParseXml(path, messages), "Piece", "Source");
   if (names.empty())
   {
-    throw Failure("it names no pieces; is it whole, and of the kind that its name tells?");
+    throw Failure(
+      "it names no pieces; check that the file is complete and has the right extension");
   }
   return names;
 }

@@ -20,7 +20,7 @@ vtkSmartPointer<vtkDataObject> ReadGltf(
   {
     if (warning.find("is required in this model") != std::string::npos)
     {
-      throw Failure(warning + "; save it without");
+      throw Failure(warning + "; save it without that extension");
     }
     if (warning.find("is used in this model") == std::string::npos) // mostly about materials
     {

@@ -63,7 +63,7 @@ public:
       if (!this->ReadCommon(word) && !readList(word))
       {
         throw Failure("it has '" + word +
-          "' where a keyword such as POINTS has to stand; correct it in the program that writes "
+          "' where a keyword such as POINTS is expected; correct it in the program that writes "
           "the file, or get a whole copy");
       }
     }
@@ -124,7 +124,7 @@ private:
   {
     if (count != expected)
     {
-      throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", and " +
+      throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", but " +
         std::to_string(expected) + what +
         "; correct the count in the program that writes the "
         "file, or get a whole copy");

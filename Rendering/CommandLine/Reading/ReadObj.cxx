@@ -87,7 +87,8 @@ Ids NormalKeys(const ObjContent& obj)
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() - 1;
   if (normals + 2 * static_cast<std::size_t>(obj.numberOfGroups) > most || obj.faces.size() > most)
   {
-    throw Failure("it has too many faces, normals and smoothing groups; divide it");
+    throw Failure("it has too many faces, normals and smoothing groups; divide it into several "
+                  "files");
   }
   const std::vector<bool> isOpposite =
     obj.numberOfGroups == 0 ? std::vector<bool>() : FindOppositeFaces(obj.faces);
@@ -200,12 +201,12 @@ void Warn(const ObjContent& obj)
   if (obj.cellsOfTooFewPoints > 0)
   {
     vtkGenericWarningMacro(
-      << "faces (f) of fewer than 3 points and lines (l) of fewer than 2 are left "
-      << "out; it has " << obj.cellsOfTooFewPoints << " of them");
+      << "faces (f) of fewer than 3 points and lines (l) of fewer than 2 are skipped; "
+      << "it has " << obj.cellsOfTooFewPoints << " of them");
   }
   if (obj.freeFormSurfaces > 0)
   {
-    vtkGenericWarningMacro(<< "free-form surfaces (surf) are left out; it has "
+    vtkGenericWarningMacro(<< "free-form surfaces (surf) are skipped; it has "
                            << obj.freeFormSurfaces << " of them");
   }
 }

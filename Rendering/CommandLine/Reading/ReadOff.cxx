@@ -52,7 +52,8 @@ void JudgeWord(OffCursor& cursor, const std::string& word, OffHeader& header)
   header.hasNormals = prefix == "N";
   if (!prefix.empty() && !header.hasNormals)
   {
-    throw Failure("its points have not three coordinates ('" + word + "'); save it as plain OFF");
+    throw Failure(
+      "its points do not have three coordinates ('" + word + "'); save it as plain OFF");
   }
 }
 
@@ -78,7 +79,7 @@ OffHeader TakeHeader(OffCursor& cursor)
   if (header.vertices < 0 || header.faces < 0 || size > static_cast<double>(cursor.GetRest()) + 1)
   {
     cursor.Fail("it is too short for the " + std::to_string(header.vertices) + " vertices and " +
-      std::to_string(header.faces) + " faces that it promises");
+      std::to_string(header.faces) + " faces that it declares");
   }
   return header;
 }
@@ -123,7 +124,7 @@ vtkIdType TakeCorner(OffCursor& cursor, const OffHeader& header, vtkIdType face)
   if (vertex < 0 || vertex >= header.vertices)
   {
     cursor.Fail("face " + std::to_string(face) + " names vertex " + std::to_string(vertex) +
-      ", which does not exist; there are " + std::to_string(header.vertices) + ", from 0 on");
+      ", which does not exist; there are " + std::to_string(header.vertices) + ", numbered from 0");
   }
   return vertex;
 }
@@ -176,7 +177,7 @@ vtkSmartPointer<vtkDataObject> ReadOff(const std::string& path, VtkMessages&, Pr
   TakeFaces(cursor, header, mesh, progress);
   if (cursor.Skip())
   {
-    vtkGenericWarningMacro("there is more in it than its counts promise; that is ignored");
+    vtkGenericWarningMacro("it has more data than its counts declare; the rest is ignored");
   }
   return mesh;
 }

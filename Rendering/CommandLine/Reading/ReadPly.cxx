@@ -24,7 +24,7 @@ void CheckCount(const PlyCursor& cursor, const PlyElement& element)
     const PlyType first = property.isList ? property.countType : property.type;
     if (!cursor.CanHold(static_cast<double>(element.count), first))
     {
-      throw Failure("it is cut short: its header promises " + std::to_string(element.count) +
+      throw Failure("it is cut short: its header declares " + std::to_string(element.count) +
         " of '" + element.name + "', more than the rest of the file can hold");
     }
   }
@@ -36,15 +36,15 @@ void WarnOfRest(PlyCursor& cursor)
   if (cursor.GetLeftOver() > 0)
   {
     vtkGenericWarningMacro(
-      << "numbers left over on a line are ignored, since an element has a line "
-      << "of its own; it has " << cursor.GetLeftOver() << " of them, the first in line "
+      << "numbers left over on a line are ignored, since each element has its own "
+      << "line; it has " << cursor.GetLeftOver() << " of them, the first in line "
       << cursor.GetFirstLineWithMore());
   }
   const std::size_t bytes = cursor.BytesBehind();
   if (bytes > 0)
   {
     vtkGenericWarningMacro(<< "ignored " << bytes << (bytes == 1 ? " byte" : " bytes")
-                           << " behind the last element that its header names");
+                           << " after the last element that its header names");
   }
 }
 

@@ -52,11 +52,12 @@ vtkSmartPointer<vtkDataObject> ReadEnSight(
   const std::vector<std::string> warnings = messages.TakeWarnings();
   if (!warnings.empty()) // about truncated files; the reader continues after such a warning
   {
-    throw Failure(warnings.front() + "; is it whole, with all the files that it names?");
+    throw Failure(
+      warnings.front() + "; check that this file and all files that it names are complete");
   }
   for (const BrokenVariable& variable : broken)
   {
-    vtkGenericWarningMacro(<< "its variable " << variable.name << " is left out: the file '"
+    vtkGenericWarningMacro(<< "its variable " << variable.name << " is skipped: the file '"
                            << variable.file << "' is cut short");
   }
   return data;

@@ -74,13 +74,13 @@ std::size_t CheckedCount(std::string_view file)
   if (file.size() < HeaderSize + TriangleSize * count)
   {
     throw Failure("it is cut short or not an STL file: it is too short for the " +
-      std::to_string(count) + " triangles that it promises; get a whole copy of it");
+      std::to_string(count) + " triangles that it declares; get a whole copy of it");
   }
   const std::size_t leftOver = file.size() - HeaderSize - TriangleSize * count;
   if (leftOver % TriangleSize != 0)
   {
     vtkGenericWarningMacro(<< "ignored " << leftOver << (leftOver == 1 ? " byte" : " bytes")
-                           << " behind its last triangle");
+                           << " after its last triangle");
     return count;
   }
   const std::size_t all = count + leftOver / TriangleSize;
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadText(
   if (text.ignoredFrom > 0)
   {
     vtkGenericWarningMacro(<< "line " << text.ignoredFrom
-                           << " and all behind it are ignored; they are in no solid");
+                           << " and everything after it are ignored, outside of any solid");
   }
   return MakeMesh<vtkDoubleArray>(text.points, text.facets);
 }

@@ -117,9 +117,9 @@ double TextCursor::TakeNumber()
   {
     if (this->IsAtLineEnd())
     {
-      throw this->FailureHere("it ends where a number is due");
+      throw this->FailureHere("it ends where a number is expected");
     }
-    throw this->FailureHere(this->QuotedWord() + " where a number is due");
+    throw this->FailureHere("found " + this->QuotedWord() + " where a number is expected");
   }
   this->At = behind;
   this->SkipBlanks();

@@ -121,7 +121,7 @@ private:
     }
     if (first != 0)
     {
-      vtkGenericWarningMacro("what follows its packed data is not packed, and is ignored");
+      vtkGenericWarningMacro("the bytes after its packed data are not packed and are ignored");
     }
     return false;
   }
@@ -153,7 +153,7 @@ private:
     if (this->Written > this->Most)
     {
       throw Failure("it unpacks to more than " + std::to_string(MostRatio) +
-        " times its size, as no mesh does; if it is meant to, unpack it with gunzip first");
+        " times its size, which no mesh does; if that is intended, unpack it with gunzip first");
     }
     if (std::fwrite(this->Plain.data(), 1, size, this->Out.get()) != size)
     {
@@ -164,7 +164,7 @@ private:
   [[noreturn]] void ThrowFull()
   {
     throw Failure(std::string("it cannot be unpacked: ") + std::strerror(errno) +
-      "; make room, or name another folder in TMPDIR");
+      "; free some space, or name another folder in TMPDIR");
   }
 
   Stream In;
