@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief options of CLI11 whose text the functions of Values.h read
+ * @brief CLI11 options whose text is parsed by the functions of Values.h
  */
 
 #ifndef AddValue_h
@@ -19,7 +19,7 @@
 namespace lambent::command
 {
 
-/// An option whose text one of the Parse functions turns into `target`.
+/// Adds an option whose text is parsed into `target`.
 template <typename Target, typename Parse>
 CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
   Target& target, Parse parse, const std::string& help)
@@ -44,7 +44,7 @@ CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string&
   };
   return app.add_option_function<std::string>(name, take, help)
     ->type_name(kind)
-    ->trigger_on_parse(); // so that each of several --light counts
+    ->trigger_on_parse(); // so that every --light counts, not only the last
 }
 
 } // namespace lambent::command

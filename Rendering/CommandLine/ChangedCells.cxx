@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-constexpr std::size_t MostRanges = 12; ///< in words, for each input
+constexpr std::size_t MostRanges = 12; ///< listed for each input
 
 bool IsChanged(vtkDataArray* difference, vtkIdType pixel)
 {
@@ -30,7 +30,7 @@ bool IsChanged(vtkDataArray* difference, vtkIdType pixel)
   return false;
 }
 
-/// "cells 3, 7-12 and 5 others", of cells of one input.
+/// The cells of one input in words: "cells 3, 7-12 and 5 others".
 std::string DescribeIds(const std::vector<vtkIdType>& ids)
 {
   std::string text;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which cells of which inputs the changed pixels of a picture show
+ * @brief the cells shown by the changed pixels of a picture
  */
 
 #ifndef ChangedCells_h
@@ -20,7 +20,7 @@ class vtkImageData;
 namespace lambent::command
 {
 
-/// What each pixel of a picture that we drew shows.
+/// The cell and the input that each pixel of a rendered picture shows.
 struct PixelIds
 {
   vtkSmartPointer<vtkIdTypeArray> cells, inputs;
@@ -28,9 +28,9 @@ struct PixelIds
 
 struct ChangedCell
 {
-  vtkIdType input, cell; ///< both -1: the background
+  vtkIdType input, cell; ///< both are -1 for the background
   vtkIdType pixels;
-  int x, y; ///< the first of them
+  int x, y; ///< the first pixel
 };
 
 /// Sorted by input and cell. `difference` is the output of vtkLambentImageComparison.

@@ -35,7 +35,8 @@ bool IsSet(const char* variable)
   return value && std::string(value) == "1";
 }
 
-/// CTest always sets the one, and the other when it is to report to CDash, but not in each version.
+/// CTest sets the first variable in every run, and the second when it reports to CDash. Not every
+/// version sets both.
 bool IsUnderCTest()
 {
   return std::getenv("CTEST_INTERACTIVE_DEBUG_MODE") || std::getenv("DASHBOARD_TEST_FROM_CTEST");
@@ -47,7 +48,7 @@ bool Exists(const std::string& path)
   return fs::exists(path, error);
 }
 
-/// What is found. Without a baseline, and of pictures of different size, there is no difference.
+/// Compares. There is no difference image without a baseline or if the sizes differ.
 Verdict Judge(
   vtkImageData* picture, const PixelIds& ids, const Options& options, VtkMessages& messages)
 {
@@ -86,11 +87,11 @@ Verdict Judge(
   return verdict;
 }
 
-/// Make the picture the baseline. A file that is there already is taken as it is.
+/// Makes the picture the baseline. An existing file of the same kind is copied byte for byte.
 void Accept(vtkImageData* picture, const Options& options, VtkMessages& messages)
 {
   const std::string& baseline = options.comparison.baseline;
-  std::error_code error; // if the folder cannot be made, writing says so
+  std::error_code error; // ignored: if the folder cannot be made, writing fails
   fs::create_directories(fs::absolute(baseline).parent_path(), error);
   if (!options.picture.empty() && PictureKindOf(options.picture) == PictureKindOf(baseline))
   {
@@ -100,7 +101,7 @@ void Accept(vtkImageData* picture, const Options& options, VtkMessages& messages
     file.Commit();
     return;
   }
-  // A baseline goes to others, whom the folders of this machine do not help.
+  // Baselines are shared, and absolute paths mean nothing on other machines.
   const bool isPortable = std::none_of(options.inputs.begin(), options.inputs.end(),
     [](const std::string& input) { return fs::path(input).is_absolute(); });
   WritePicture(picture, baseline, messages, isPortable ? DescribeDrawing(options) : PictureText());
@@ -115,7 +116,7 @@ void PrintMeasurement(const char* name, const std::string& path)
   }
 }
 
-/// For CDash, by the names that it puts side by side.
+/// For CDash, under the names that it shows side by side.
 void PrintMeasurements(const Options& options, const Verdict& verdict)
 {
   PrintMeasurement("TestImage", options.picture.empty() ? options.output : options.picture);
@@ -130,7 +131,7 @@ std::string HowToAccept(const Options& options)
 {
   const std::string& picture = options.picture.empty() ? options.output : options.picture;
   return (picture.empty() || picture == "-"
-             ? "if it is meant, accept it"
+             ? "if it is intended, accept it"
              : "look at '" + picture + "'; if it is right, accept it") +
     " by running this again with LAMBENT_UPDATE_BASELINES=1 in the environment" +
     (IsUnderCTest() ? ", or by building the target lambent-update-baselines" : "");

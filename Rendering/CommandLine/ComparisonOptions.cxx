@@ -12,7 +12,7 @@ namespace
 {
 
 const char* const Description =
-  "Compares two pictures, exactly or within a tolerance, and says what differs.";
+  "Compares two pictures, exactly or within a tolerance, and reports the differences.";
 
 const char* const Footer = R"(
 Reads .png and .vti. With LAMBENT_UPDATE_BASELINES=1 in the environment a picture that differs, or
@@ -36,7 +36,7 @@ Metric ParseMetric(const std::string& text)
                         : throw BadValue("'" + text + "' is not max, rmse or ssim");
 }
 
-/// For CLI11: what is wrong with the name of a picture that is to be written.
+/// A CLI11 check: the error in the name of a picture to write, or an empty string.
 std::string IsWritable(const std::string& path)
 {
   return PictureKindOf(path) ? "" : "'" + path + "' does not end in one of " + PictureExtensions();
@@ -64,18 +64,16 @@ void AddComparison(CLI::App& app, ComparisonOptions& options, CLI::Option* compa
   const auto notNegative = [](const std::string& text) { return ParseNotNegative(text); };
   CLI::Option* const all[] = {
     AddValue(app, "--metric", "max|rmse|ssim", options.metric, ParseMetric,
-      "largest difference of a channel, root of the mean square, or 1 - structural similarity "
-      "[max]"),
+      "largest difference of a channel, root mean square, or 1 - structural similarity [max]"),
     AddValue(app, "--tolerance", "T", options.tolerance, notNegative,
-      "how much that may be; channels go to 255 [0: no bit may differ]"),
-    app.add_option("--difference", options.difference, "picture to write of what differs")
+      "largest permitted value of the metric; channels go to 255 [0: no bit may differ]"),
+    app.add_option("--difference", options.difference, "picture of the difference to write")
       ->type_name("FILE")
       ->check(IsWritable),
-    app.add_option("--report", options.report, "HTML page to write, or to add to")
+    app.add_option("--report", options.report, "HTML page to write or append to")
       ->type_name("FILE")
       ->check(IsPage),
-    app.add_option("--name", options.name, "what the report calls it [the file]")
-      ->type_name("TEXT"),
+    app.add_option("--name", options.name, "title in the report [the file]")->type_name("TEXT"),
   };
   for (CLI::Option* option : all)
   {
@@ -92,16 +90,16 @@ Parsed ParseCompareOptions(int argc, const char* const* argv)
   Options& options = parsed.options;
   CLI::App app(Description, "lambent compare");
   app.footer(Footer);
-  app.add_option("PICTURE", options.picture, "the picture to look at")
+  app.add_option("PICTURE", options.picture, "the picture to check")
     ->required()
     ->type_name("")
     ->check(IsComparable);
-  app.add_option("BASELINE", options.comparison.baseline, "what it should be")
+  app.add_option("BASELINE", options.comparison.baseline, "the expected picture")
     ->required()
     ->type_name("")
     ->check(IsComparable);
   AddComparison(app, options.comparison, nullptr);
-  app.add_flag("--quiet", options.quiet, "say nothing if they are the same");
+  app.add_flag("--quiet", options.quiet, "print nothing if they are the same");
   try
   {
     app.parse(argc, argv);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the options about comparing pictures, of `lambent` and of `lambent compare`
+ * @brief the comparison options of `lambent` and `lambent compare`
  */
 
 #ifndef ComparisonOptions_h
@@ -19,13 +19,13 @@ class Option;
 namespace lambent::command
 {
 
-/// Adds them; without `compare`, if there is one, they make no sense.
+/// Adds the options. If `compare` is not null, they require that option.
 void AddComparison(CLI::App& app, ComparisonOptions& options, CLI::Option* compare);
 
-/// For CLI11: what is wrong with the name of a picture that is to be read; empty if nothing.
+/// A CLI11 check: the error in the name of a picture to compare, or an empty string.
 std::string IsComparable(const std::string& path);
 
-/// Reads the command line of `lambent compare`, as ParseOptions() does.
+/// Parses the command line of `lambent compare`; otherwise like ParseOptions().
 Parsed ParseCompareOptions(int argc, const char* const* argv);
 
 } // namespace lambent::command

@@ -19,11 +19,11 @@ namespace lambent::command
 namespace
 {
 
-/// A face of which less is seen than this part of its area, and that no ray hits, is edge-on.
+/// Faces that no ray hits are edge-on if at most this fraction of their area faces the camera.
 constexpr double EdgeOn = 0.01;
 
-/// A point as the camera sees it: right and up in halves of the picture's height, and how far
-/// in front.
+/// A point in view coordinates: x to the right and y up, in half heights of the picture, and the
+/// depth along the view direction.
 struct Seen
 {
   double x, y, depth;
@@ -58,7 +58,7 @@ public:
       vtkMath::Dot(way.data(), this->Up.data()) / unit, depth };
   }
 
-  /// The way that the camera looks along at a point.
+  /// The direction in which the camera sees a point.
   Triple wayTo(const Triple& point) const
   {
     Triple way = this->Forward;
@@ -82,15 +82,15 @@ private:
   Triple Position, Forward, Right, Up;
 };
 
-/// What is found in one pass over the faces, as triangles.
+/// What one pass over the triangles of all faces finds.
 struct Faces
 {
   vtkIdType count = 0;
   bool hasTooFewCorners = false;
   double largestArea = 0;
-  double largestSeenArea = 0; ///< of those across the way that the camera looks
+  double largestSeenArea = 0; ///< projected along the view direction
   bool isInFront = false, isInView = false;
-  Triple normal{ 0, 0, 0 }; ///< the sum, each turned to the side of those before
+  Triple normal{ 0, 0, 0 }; ///< the sum of the normals, each turned to the side of the sum so far
 };
 
 void AddTriangle(Faces& faces, const View& view, const std::array<Triple, 3>& corners)
@@ -100,7 +100,7 @@ void AddTriangle(Faces& faces, const View& view, const std::array<Triple, 3>& co
   vtkMath::Subtract(corners[2].data(), corners[0].data(), v.data());
   vtkMath::Cross(u.data(), v.data(), area.data());
   const double size = vtkMath::Norm(area.data());
-  if (!std::isfinite(size)) // the ray tracer has told of it
+  if (!std::isfinite(size)) // the ray tracer has already warned
   {
     return;
   }
@@ -139,7 +139,7 @@ void AddCells(Faces& faces, const View& view, vtkPolyData* mesh, vtkCellArray* c
   }
 }
 
-/// Rounded, and from the front, the right, or above.
+/// The normal as a value of --direction: rounded, and on the side of the default direction.
 std::string DirectionAlong(Triple normal)
 {
   vtkMath::Normalize(normal.data());
@@ -158,7 +158,7 @@ std::string DirectionAlong(Triple normal)
   return text;
 }
 
-/// The options that decide where the camera stands and looks, as far as they are given.
+/// The given options that place and aim the camera.
 std::string CameraOptions(const Options& options)
 {
   std::string names;
@@ -190,13 +190,13 @@ std::string WhyNothingIsHit(const Options& options,
   }
   const std::string given = CameraOptions(options);
   const std::string tryWithout = given.empty() ? "" : "; try without " + given;
-  if (faces.count == 0) // of no corners, or of such that are not numbers, others have told
+  if (faces.count == 0) // missing faces and NaN points have already caused warnings
   {
     return faces.hasTooFewCorners ? "none of the faces has three corners" : "";
   }
   if (faces.largestArea <= 0)
   {
-    return "none of the faces has an area; their corners lie in one line or place";
+    return "none of the faces has an area; their corners lie on a line or at a point";
   }
   if (!faces.isInFront)
   {
@@ -204,16 +204,14 @@ std::string WhyNothingIsHit(const Options& options,
   }
   if (faces.largestSeenArea <= EdgeOn * faces.largestArea)
   {
-    return "the faces are flat and seen along their plane; try --direction " +
-      DirectionAlong(faces.normal) +
+    return "the faces are flat and seen edge-on; try --direction " + DirectionAlong(faces.normal) +
       (options.cameraPosition ? " instead of --camera-position" : "");
   }
   if (!faces.isInView)
   {
     return "no face lies in the view of the camera" + tryWithout;
   }
-  return "the faces are so small there that they fall between the pixels; try a larger --zoom or "
-         "--size";
+  return "the faces look so small that they fall between the pixels; try a larger --zoom or --size";
 }
 
 } // namespace lambent::command

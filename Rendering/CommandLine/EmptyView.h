@@ -4,8 +4,8 @@
  * @file
  * @brief why a camera sees none of the faces
  *
- * By the geometry alone: what of the faces lies in front of the camera, what in its view,
- * and how large it is there.
+ * The reason follows from the geometry: which faces lie in front of the camera, which lie in its
+ * view, and how large they appear there.
  */
 
 #ifndef EmptyView_h
@@ -24,8 +24,8 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// The reason and what to try, for a picture in which no face is hit. Empty if there are no
-/// faces, or only such with points that are not finite: that has been said before.
+/// The reason why no face is hit, and what to try. Empty if there are no faces, or if none has only
+/// finite points: those cases have already caused warnings.
 std::string WhyNothingIsHit(const Options& options,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, vtkCamera* camera);
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the kinds of picture files, by the end of their names; Reading/Formats.h has those of
- * meshes
+ * @brief the kinds of picture files, by extension; Reading/Formats.h has those of meshes
  */
 
 #ifndef FileKinds_h
@@ -25,13 +24,13 @@ enum class PictureKind
   Vti
 };
 
-/// The kind that a file's name tells, in upper or lower case; nothing if it is not known.
+/// The kind that belongs to a file's extension, in upper or lower case; empty if it is unknown.
 std::optional<PictureKind> PictureKindOf(const std::string& path);
 
-/// The end of a file's name in lower case, such as ".png".
+/// The extension of a file's name in lower case, such as ".png".
 std::string ExtensionOf(const std::string& path);
 
-/// The extensions as a message lists them: ".png .jpg ...".
+/// The extensions as listed in messages: ".png .jpg ...".
 std::string PictureExtensions();
 
 } // namespace lambent::command

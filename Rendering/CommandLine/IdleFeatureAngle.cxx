@@ -39,7 +39,7 @@ std::string WhyFeatureAngleIsIdle(
   }
   return !isAnyDrawn ? ""
     : options.contour
-    ? noEffect + ": the contour has normals of its own, from the array's gradient; leave it out"
+    ? noEffect + ": the contour has its own normals, from the array's gradient; leave it out"
     : noEffect +
       ": all meshes have point normals; leave it out, or remove the normals from the "
       "files";

@@ -4,7 +4,7 @@
  * @file
  * @brief why --feature-angle has no effect on a scene
  *
- * It counts where normals are computed: for meshes that have none, if they are shaded smooth.
+ * The angle matters only where normals are computed: for smooth shading of meshes without normals.
  */
 
 #ifndef IdleFeatureAngle_h
@@ -22,7 +22,7 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// One line: the reason, and what to do; empty if the angle has an effect or is not given, or if
+/// The reason and the remedy in one line. Empty if the angle has an effect or is not given, or if
 /// there is nothing to draw.
 std::string WhyFeatureAngleIsIdle(
   const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);

@@ -26,7 +26,7 @@ std::string OneLine(const std::string& message)
       from = std::min(message.find('\n'), message.size());
     }
   }
-  // The object's class and address: "vtkPLYReader (0x55d0c8a3): ".
+  // Skip the object's class and address: "vtkPLYReader (0x55d0c8a3): ".
   const std::size_t address = message.find(" (0x", from);
   const std::size_t end = message.find("): ", from);
   if (address != std::string::npos && end != std::string::npos && address < end &&
@@ -56,7 +56,7 @@ void Say(const std::string& text)
   std::fputs(("lambent: " + text + "\n").c_str(), stderr);
 }
 
-/// Keeps what VTK says. Filters may say it from several threads at once.
+/// Keeps VTK's messages. Filters may report from several threads at once.
 class VtkMessages::Window : public vtkOutputWindow
 {
 public:
@@ -68,7 +68,7 @@ public:
   void DisplayErrorText(const char* text) override { this->Keep(this->Errors, text); }
   void DisplayWarningText(const char* text) override
   {
-    // vtkDataReader says "Error reading ascii data" as a warning, and goes on.
+    // vtkDataReader reports "Error reading ascii data" as a warning and continues.
     const bool isError = OneLine(text).compare(0, 5, "Error") == 0;
     this->Keep(isError ? this->Errors : this->Warnings, text);
   }
@@ -103,7 +103,7 @@ VtkMessages::VtkMessages(bool showWarnings)
   , ShowWarnings(showWarnings)
 {
   vtkOutputWindow::SetInstance(this->Listener);
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it would print the same once more
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // or it would print every message again
 }
 
 VtkMessages::~VtkMessages()

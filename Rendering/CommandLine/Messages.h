@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what the command says on standard error: a line a matter
+ * @brief the command's messages on standard error, each in one line
  *
- * VTK reports through a global output window, in several lines with the names
- * of its sources. While a VtkMessages lives, it listens there instead: an error
- * is kept until somebody asks for it, a warning becomes one line.
+ * VTK reports through a global output window, in several lines that include the names of its source
+ * files. A VtkMessages object replaces that window during its lifetime: it keeps errors until they
+ * are asked for and turns each warning into one line.
  */
 
 #ifndef Messages_h
@@ -19,13 +19,13 @@
 namespace lambent::command
 {
 
-/// The command cannot go on; what() is the line to say: what, which file, what to do.
+/// The command cannot continue. what() is the line to print: the problem, the file and the remedy.
 struct Failure : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// VTK's "ERROR: In file, line n\nclass (0x..): text\n\n" as the text alone, in one line.
+/// Reduces VTK's "ERROR: In file, line n\nclass (0x..): text\n\n" to the text, in one line.
 std::string OneLine(const std::string& message);
 
 /// Write "lambent: text" and a line end to standard error.
@@ -42,13 +42,14 @@ public:
   /// The first error since the last call, as one line; empty if there was none.
   std::string TakeError();
 
-  /// Say the warnings since the last call, each once and prefixed; or drop them if not wanted.
+  /// Print the warnings since the last call, each once and with a prefix; drop them if
+  /// `showWarnings` was false.
   void FlushWarnings(const std::string& about);
 
   /// The warnings since the last call, each once.
   std::vector<std::string> TakeWarnings();
 
-  /// Forget the warnings since the last call.
+  /// Discard the warnings since the last call.
   void DropWarnings();
 
 private:

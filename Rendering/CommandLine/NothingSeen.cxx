@@ -33,8 +33,8 @@ Pixel BytesOf(const Triple& color)
   return bytes;
 }
 
-/// True if each pixel of a picture of bytes has one of two colours. Begins in the middle, where
-/// a picture that shows something mostly does.
+/// True if each pixel of a picture of bytes has one of two colours. Starts in the middle, where
+/// most pictures show something.
 bool HasOnly(vtkImageData* picture, const Pixel& one, const Pixel& other)
 {
   auto* const colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
@@ -56,7 +56,7 @@ bool IsBlack(const Triple& color)
   return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
 }
 
-/// The scene, drawn so and before a black background.
+/// Renders the scene on a black background.
 vtkSmartPointer<vtkImageData> DrawOnBlack(Options options, const Meshes& meshes)
 {
   options.background = { 0, 0, 0 };
@@ -70,7 +70,7 @@ bool IsAllBlack(vtkImageData* picture)
   return HasOnly(picture, Black, Black);
 }
 
-/// White where a face is seen, of whatever colour, and black elsewhere.
+/// Renders every visible face white, whatever its colour, and everything else black.
 vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
 {
   options.shading = Shading::Unlit;
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
   return DrawOnBlack(options, meshes);
 }
 
-/// True if a picture is black wherever a face is seen.
+/// True if the picture is black wherever a face is visible.
 bool IsBlackWhereHit(vtkImageData* picture, vtkImageData* hits)
 {
   const auto* const colors =
@@ -94,10 +94,10 @@ bool IsBlackWhereHit(vtkImageData* picture, vtkImageData* hits)
   return true;
 }
 
-/// An experiment: what is changed in the scene, and what is the matter if that makes it light.
+/// A change to the scene, and the reason for the black picture if the change brightens it.
 struct Experiment
 {
-  /// False if that is how the scene is anyway.
+  /// Returns false if the scene already had that value.
   std::function<bool(Options&, LightValue&)> change;
   const char* reason;
 };
@@ -115,28 +115,28 @@ bool IsLamp(const LightValue& light)
   return light.kind == LightValue::Kind::Positional;
 }
 
-/// In this order; each goes on from those before it.
+/// Made in this order; each experiment keeps the changes of those before it.
 const std::vector<Experiment>& Experiments()
 {
   static const std::vector<Experiment> experiments{
     { [](Options&, LightValue& light) { return IsLamp(light) && Set(light.cone, 180.0); },
-      "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+      "no visible face lies in the cone of a light; try a wider cone or another focal point in "
       "--light" },
     { [](Options&, LightValue& light) {
        return IsLamp(light) && Set(light.attenuation, Triple{ 1, 0, 0 });
      },
       "the lights are too far away for their attenuation; try a smaller one in --light" },
     { [](Options&, LightValue& light) { return Set(light.intensity, 1e6); },
-      "the light in it is too weak to show; try a larger intensity in --light" },
+      "the light is too weak to show; try a larger intensity in --light" },
     { [](Options&, LightValue& light) { return Set(light.kind, LightValue::Kind::Headlight); },
-      "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2" },
+      "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2" },
     { [](Options&, LightValue& light) {
        return Set(light.color, Triple{ 1, 1, 1 });
      },
-      "the light in it has none of the colours that the faces reflect; try another --color, or "
+      "the light has none of the colours that the faces reflect; try another --color, or "
       "another color in --light" },
     { [](Options& options, LightValue&) { return Set(options.shading, Shading::Flat); },
-      "the normals of the mesh point away from the light, or are none; try --shading flat" },
+      "the normals of the mesh are invalid or point away from the light; try --shading flat" },
   };
   return experiments;
 }
@@ -148,11 +148,11 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
     options.ambient > 0 && !IsBlack(options.ambientColor.value_or(options.color));
   if (options.shading == Shading::Unlit || (!reflectsDiffuse && !reflectsAmbient))
   {
-    return "all faces in it are black; try another --color, --diffuse or --ambient";
+    return "all visible faces are black; try another --color, --diffuse or --ambient";
   }
   if (options.lights.empty())
   {
-    options.lights.emplace_back(); // the headlight that there is then
+    options.lights.emplace_back(); // the default headlight
   }
   if (std::all_of(options.lights.begin(), options.lights.end(),
         [](const LightValue& light) { return light.intensity <= 0 || IsBlack(light.color); }))
@@ -171,7 +171,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
       return experiment.reason;
     }
   }
-  return "hardly any light falls on the faces in it; try --ambient 0.2";
+  return "hardly any light falls on the visible faces; try --ambient 0.2";
 }
 
 } // namespace
@@ -193,11 +193,11 @@ std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkIm
   }
   if (IsBlackWhereHit(picture, hits))
   {
-    return (background == Black ? nothing : "the picture shows black only: ") +
+    return (background == Black ? nothing : "the picture shows only black: ") +
       WhyAllIsBlack(options, meshes);
   }
   return HasOnly(picture, background, background)
-    ? nothing + "all faces in it have the colour of the background; try another --background"
+    ? nothing + "all visible faces have the colour of the background; try another --background"
     : "";
 }
 

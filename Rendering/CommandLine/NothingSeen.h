@@ -4,11 +4,11 @@
  * @file
  * @brief why a picture shows nothing
  *
- * A picture shows something as soon as a pixel is neither black nor of the background's
- * colour; that is found at once. Otherwise the scene is drawn again, first all white and
- * unlit, to see where a face is hit at all; then with one property of the lights changed
- * after the other, until something shows: that property is the matter. A property that has the
- * value already is passed over.
+ * A picture shows something if any pixel is neither black nor of the background colour; this test
+ * is fast. Otherwise the scene is rendered again:
+ * 1. all white and unlit, to find where a face is hit;
+ * 2. with one property of the lights or the surface changed after the other, until something shows.
+ *    That property is the reason. A property that already has the new value is skipped.
  */
 
 #ifndef NothingSeen_h
@@ -27,7 +27,7 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// One line: the reason, and what to try; empty if the picture shows something.
+/// The reason and what to try, in one line; empty if the picture shows something.
 std::string WhyNothingIsSeen(const Options& options,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, vtkImageData* picture);
 

@@ -18,7 +18,7 @@ namespace
 {
 
 const char* const Description =
-  "Draws surfaces into a picture: Lambert's light model, traced without a window or a GPU.";
+  "Ray-traces surfaces with Lambert's light model into a picture, without a window or a GPU.";
 
 const char* const Footer = R"(
 Vectors are x,y,z without spaces. Colours are r,g,b in 0..1, #rrggbb or a name such as tomato.
@@ -27,35 +27,35 @@ A light is key=value pairs joined by colons:
   --light position=3,4,5:color=gold:intensity=0.8   a lamp that shines in all directions
   --light direction=0,-1,0                          light from infinitely far away that
                                                     travels along 0,-1,0: from above
-Semicolons join them as well, but take quotes in a shell and part the elements of a CMake list.
-A lamp with cone=DEG shines only that far to either side of the way to focal=x,y,z (the camera's
-focal point if not said), with exponent=E falling off inside it. attenuation=a,b,c divides by
-a + b d + c d d at the distance d.
+Semicolons work too, but need quotes in a shell and separate the elements of a CMake list.
+A lamp with cone=DEG shines only up to that angle from the direction to focal=x,y,z (default: the
+camera's focal point); with exponent=E its light falls off inside the cone. attenuation=a,b,c
+divides the light by a + b d + c d d at the distance d.
 
 Reads VTK's files, .ply .stl .obj .off .gltf .fbx and others, and all of them gzipped; 'lambent
---formats' lists them. Of volumes it draws the outer surface, or with --contour the surface where
-an array has a value; of a time series the first time. Several inputs are one scene.
-Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a whole new one.
+--formats' lists them. It draws the outer surface of volumes, or with --contour the surface where
+an array has a value, and the first step of a time series. Several inputs form one scene.
+Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a complete new one.
 
-'lambent compare A.png B.png' compares two pictures that are there already; see
-'lambent compare --help'.
+'lambent compare A.png B.png' compares two existing pictures; see 'lambent compare --help'.
 
-Exit status: 0 done, and with --compare the same; 1 different, or could not (one line says why);
-2 wrong usage.
+Exit status: 0 success, and with --compare no difference; 1 different or failed (one line says
+why); 2 wrong usage.
 
 Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1)";
 
 void AddFiles(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.inputs, "meshes to draw, together one scene")->type_name("");
-  app.add_option("-o,--output", options.output, "picture to write; - is PNG to standard output")
+  app.add_option("INPUT", options.inputs, "mesh files, drawn as one scene")->type_name("");
+  app
+    .add_option("-o,--output", options.output, "picture to write; - writes PNG to standard output")
     ->type_name("FILE");
   AddValue(app, "--contour", "VALUE[,ARRAY]", options.contour, ParseContour,
-    "of volumes, draw the surface where the array has the value");
+    "draw the surface of volumes where the array has the value");
   AddValue(app, "--size", "WxH", options.size, ParseSize,
-    "pixels [1920x1080; with --compare as the baseline]");
-  AddValue(
-    app, "--background", "COLOUR", options.background, ParseColor, "where no surface is [black]");
+    "pixels [1920x1080; with --compare, those of the baseline]");
+  AddValue(app, "--background", "COLOUR", options.background, ParseColor,
+    "colour where there is no surface [black]");
 }
 
 void AddCamera(CLI::App& app, Options& options)
@@ -71,16 +71,16 @@ void AddCamera(CLI::App& app, Options& options)
     return value;
   };
   CLI::Option* position = AddValue(app, "--camera-position", "X,Y,Z", options.cameraPosition,
-    ParseTriple, "where the eye is [such that all is in view]");
+    ParseTriple, "position of the eye [so that all is in view]");
   AddValue(app, "--focal-point", "X,Y,Z", options.focalPoint, ParseTriple,
-    "what it looks at [the centre of the scene]");
+    "point that it looks at [the centre of the scene]");
   AddValue(app, "--view-up", "X,Y,Z", options.viewUp, ParseDirection,
-    "what is up [0,1,0; looking along y 0,0,1]");
+    "the upward direction [0,1,0; 0,0,1 when looking along y]");
   AddValue(app, "--direction", "X,Y,Z", options.direction, ParseDirection,
-    "the side from which it looks, all in view [2,1.5,4: from the front, right, above]")
+    "side from which it looks, with all in view [2,1.5,4: front, right and above]")
     ->excludes(position);
   CLI::Option* viewAngle = AddValue(app, "--view-angle", "DEG", options.viewAngle, angle,
-    "opening of the view across the height [30]");
+    "opening angle of the view over its height [30]");
   AddValue(app, "--parallel-scale", "S", options.parallelScale, number,
     "parallel projection; half the height of the view")
     ->excludes(viewAngle);
@@ -92,7 +92,7 @@ void AddLights(CLI::App& app, Options& options)
   AddValue(app, "--light", "SPEC", options.lights, ParseLight, "a light, see below; repeatable");
   app.add_flag_callback(
     "--headlight", [&options] { options.lights.emplace_back(); },
-    "a light at the camera [if there is no --light]");
+    "a light at the camera [on if there is no --light]");
 }
 
 void AddSurface(CLI::App& app, Options& options)
@@ -100,9 +100,9 @@ void AddSurface(CLI::App& app, Options& options)
   const auto fraction = [](const std::string& text) { return ParseNumber(text, 0, 1); };
   AddValue(app, "--diffuse", "F", options.diffuse, fraction, "diffuse reflection, 0..1 [1]");
   AddValue(app, "--ambient", "F", options.ambient, fraction, "ambient reflection, 0..1 [0]");
-  AddValue(app, "--color", "COLOUR", options.color, ParseColor, "of the surfaces [white]");
+  AddValue(app, "--color", "COLOUR", options.color, ParseColor, "colour of the surfaces [white]");
   AddValue(app, "--ambient-color", "COLOUR", options.ambientColor, ParseColor,
-    "of the ambient reflection [as --color]");
+    "colour of the ambient reflection [as --color]");
 
   const std::map<std::string, Shading> shadings = { { "smooth", Shading::Smooth },
     { "flat", Shading::Flat }, { "unlit", Shading::Unlit } };
@@ -119,7 +119,7 @@ void AddSurface(CLI::App& app, Options& options)
   AddValue(
     app, "--feature-angle", "DEG", options.featureAngle,
     [](const std::string& text) { return ParseNumber(text, 0, 180); },
-    "meshes without normals: sharper edges stay sharp; 180: smooth, coarse cylinders too [30]");
+    "meshes without normals: sharper edges stay sharp; 180: all edges are smooth [30]");
   const std::map<std::string, AmbientModel> models = { { "per-light", AmbientModel::PerLight },
     { "scene", AmbientModel::Scene } };
   AddValue(
@@ -130,7 +130,7 @@ void AddSurface(CLI::App& app, Options& options)
       return found != models.end() ? found->second
                                    : throw BadValue("'" + text + "' is not per-light or scene");
     },
-    "ambient term from each light, or once [per-light]");
+    "add the ambient term for each light, or once [per-light]");
 }
 
 void AddRunning(CLI::App& app, Options& options, const std::string& version)
@@ -143,13 +143,13 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
   };
   AddValue(app, "--threads", "N", options.threads, count, "threads to use [all]");
   CLI::Option* quiet =
-    app.add_flag("--quiet", options.quiet, "no progress bar, no warnings; errors remain");
-  app.add_flag("--verbose", options.verbose, "say what was done and how long it took")
+    app.add_flag("--quiet", options.quiet, "no progress bar and no warnings, only errors");
+  app.add_flag("--verbose", options.verbose, "report what was done and how long it took")
     ->excludes(quiet);
   app
     .add_flag_callback(
       "--formats", [] { throw CLI::CallForVersion(DescribeFormats(), 0); },
-      "list the kinds of files that are read and written")
+      "list the file formats that can be read and written")
     ->trigger_on_parse();
   app.set_version_flag("--version", version + "\n");
 }
@@ -159,7 +159,7 @@ std::string IsPng(const std::string& path)
   return PictureKindOf(path) == PictureKind::Png ? "" : "'" + path + "' does not end in .png";
 }
 
-/// A picture that is drawn again brings its scene along.
+/// Rejects options about the scene beside --recreate: the picture already defines its scene.
 void CheckRecreate(const CLI::App& app)
 {
   static const std::set<std::string> fitting = { "recreate", "output", "threads", "quiet",
@@ -212,12 +212,12 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   AddComparison(app, parsed.options.comparison,
     app
       .add_option("--compare", parsed.options.comparison.baseline,
-        "compare what is drawn with this .png or .vti; -o may be left out")
+        "compare the picture with this .png or .vti; -o is then optional")
       ->type_name("BASELINE")
       ->check(IsComparable));
   app
     .add_option("--recreate", parsed.options.recreate,
-      "draw a .png of this command again, as it says itself; without -o compare the two")
+      "draw a .png of this command again, from its text; without -o, compare the two")
     ->type_name("PICTURE")
     ->check(IsPng);
   AddRunning(app, parsed.options, version);

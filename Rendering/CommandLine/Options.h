@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what the command line asks for, as a plain struct
+ * @brief the command line's options as a plain struct
  *
- * What was not said and has no fixed default is absent (std::nullopt): the
- * scene decides then.
+ * An option that was not given and has no fixed default is absent (std::nullopt); its value then
+ * depends on the scene.
  */
 
 #ifndef Options_h
@@ -21,11 +21,10 @@
 namespace lambent::command
 {
 
-/// The side from which the camera looks if nothing else is said: from the front, the right, and
-/// above.
+/// The default side from which the camera looks: the front, right and above.
 constexpr Triple DefaultDirection{ 2, 1.5, 4 };
 
-/// The same before version 2 of the image contract, for pictures that do not name it.
+/// The default before version 2 of the image contract, for recipes that name no direction.
 constexpr Triple FormerDirection{ 0, 0, 1 };
 
 enum class Shading
@@ -50,35 +49,35 @@ enum class Metric
 
 struct ComparisonOptions
 {
-  std::string baseline; ///< a .png or .vti; empty: nothing is compared
+  std::string baseline; ///< a .png or .vti; empty: no comparison
   Metric metric = Metric::MaximumDifference;
   double tolerance = 0;
   std::string difference; ///< picture to write; empty: none
   std::string report;     ///< HTML file to write or add to; empty: none
-  std::string name;       ///< in the report; empty: the picture's, or the baseline's
+  std::string name;       ///< in the report; empty: the picture's path, or the baseline's
 };
 
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string output;  ///< "-" is PNG to standard output; empty: none, only a comparison
+  std::string output;  ///< "-": PNG to standard output; empty: no output, only a comparison
   std::string picture; ///< a file to compare, instead of inputs to draw
 
-  std::string recreate; ///< a PNG to draw again as its text says, instead of inputs
-  std::string recipe;   ///< the command, without the size, that draws the inputs so
+  std::string recreate; ///< a PNG to render again from its text, instead of inputs
+  std::string recipe;   ///< the command that renders these inputs, without the size
 
   ComparisonOptions comparison;
 
-  std::optional<std::array<int, 2>> size; ///< absent: that of the baseline, or 1920 x 1080
+  std::optional<std::array<int, 2>> size; ///< absent: the baseline's size, or 1920 x 1080
   Triple background{ 0, 0, 0 };
 
-  std::optional<ContourValue> contour; ///< what to draw of volumes; absent: their outer surface
+  std::optional<ContourValue> contour; ///< the contour of volumes; absent: their outer surface
 
   std::optional<Triple> cameraPosition;
   std::optional<Triple> focalPoint;
   std::optional<Triple> viewUp;
   std::optional<Triple> direction; ///< the side from which the camera looks
-  std::optional<double> viewAngle; ///< degrees, across the height of the picture
+  std::optional<double> viewAngle; ///< degrees, over the height of the picture
   std::optional<double> parallelScale;
   double zoom = 1;
 
@@ -92,21 +91,21 @@ struct Options
   Triple color{ 1, 1, 1 };
   std::optional<Triple> ambientColor; ///< absent: as `color`
 
-  int threads = 0; ///< 0: as many as VTK sees fit
+  int threads = 0; ///< 0: VTK's default
   bool quiet = false;
   bool verbose = false;
 };
 
-/// What became of a command line: options to act on, or a status to leave with.
+/// The result of parsing a command line: options, or a status to exit with.
 struct Parsed
 {
   Options options;
-  std::optional<int> exitStatus; ///< 0 after --help and --version, 2 after wrong usage
-  std::string standardOutput;    ///< what to print there before leaving
+  std::optional<int> exitStatus; ///< 0 after --help, --version and --formats, 2 after wrong usage
+  std::string standardOutput;    ///< to print before exiting
   std::string standardError;
 };
 
-/// Reads a command line. Never prints and never ends the process.
+/// Parses a command line. Never prints and never ends the process.
 Parsed ParseOptions(int argc, const char* const* argv, const std::string& version);
 
 } // namespace lambent::command

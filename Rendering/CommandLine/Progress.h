@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a progress bar on a terminal, for work that takes its time
+ * @brief a progress bar on a terminal, for slow stages
  */
 
 #ifndef Progress_h
@@ -18,8 +18,8 @@ namespace lambent::command
 {
 
 /**
- * Shows nothing in the first half second of its life, nothing where standard
- * error is not a terminal, and leaves nothing behind.
+ * The bar appears half a second after construction at the earliest, and only if standard error is a
+ * terminal. The destructor erases it.
  */
 class Progress
 {
@@ -29,19 +29,19 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What is being done from now on, such as "reading dragon.ply".
+  /// Start a stage, such as "reading dragon.ply".
   void Begin(const std::string& stage);
 
-  /// How much of the stage is done, 0..1. Cheap enough to be called often.
+  /// Set the fraction of the stage that is done, 0..1. Cheap enough to call often.
   void Update(double fraction);
 
-  /// Follow an algorithm's progress while it lives.
+  /// Show an algorithm's progress during its lifetime.
   void Follow(vtkAlgorithm* algorithm);
 
-  /// From now on draw nothing, and call this instead with how much is done: in a child process.
+  /// Call `sink` with the fraction done instead of drawing the bar. Used in a child process.
   void Redirect(std::function<void(double)> sink);
 
-  /// Take the bar off the terminal; the next Update() brings it back.
+  /// Erase the bar from the terminal; a later Update() draws it again.
   void Erase();
 
 private:

@@ -13,10 +13,10 @@ namespace lambent::command
 namespace
 {
 
-/// A path, and what it is.
+/// Paths and their roles.
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// What the command reads.
+/// The files that the command reads.
 Files ReadFiles(const Options& options)
 {
   Files files;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief no file that the command reads is written over by what it writes
+ * @brief keeps the command from overwriting a file that it reads
  */
 
 #ifndef ProtectFiles_h
@@ -15,8 +15,8 @@ namespace lambent::command
 
 /**
  * Throws Failure if an output (-o, --difference, --report) is also an input, the picture, the
- * baseline or another output, under whatever name; or if a picture would be compared with
- * itself, which always passes. Known before anything is drawn.
+ * baseline or another output, under any name, or if a picture would be compared with itself, which
+ * always passes. Runs before anything is rendered.
  */
 void ProtectFiles(const Options& options);
 

@@ -61,7 +61,7 @@ vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path, VtkMessages& 
     }
     return image;
   }
-  catch (const std::exception& reason) // a Failure, or memory that is not there
+  catch (const std::exception& reason) // a Failure, or out of memory
   {
     throw Failure("cannot read '" + path + "': " + reason.what());
   }

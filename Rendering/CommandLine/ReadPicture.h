@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from a .png or .vti file to the image in it
+ * @brief reads a .png or .vti file
  */
 
 #ifndef ReadPicture_h
@@ -19,7 +19,7 @@ namespace lambent::command
 
 class VtkMessages;
 
-/// Throws Failure if the file is not there or not whole, or is no picture.
+/// Throws Failure if the file is missing, incomplete or not a picture.
 vtkSmartPointer<vtkImageData> ReadPicture(const std::string& path, VtkMessages& messages);
 
 } // namespace lambent::command

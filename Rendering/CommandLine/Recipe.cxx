@@ -25,7 +25,7 @@ namespace
 const char* const ContractKey = "Lambent image contract";
 const char* const CommandKey = "Lambent command";
 
-/// A word that a POSIX shell reads as it is meant.
+/// The word, quoted for a POSIX shell if necessary.
 std::string Quoted(const std::string& word)
 {
   bool isPlain = !word.empty();
@@ -53,19 +53,19 @@ bool NamesTheView(const std::vector<std::string>& words)
     { return word.rfind("--direction", 0) == 0 || word.rfind("--camera-position", 0) == 0; });
 }
 
-/// The options of a command that came with a picture.
+/// Parses the command stored in a picture.
 Options ParseRecipe(const std::string& command)
 {
   std::vector<std::string> words = SplitWords(command);
   if (words.empty() || words.front() != "lambent")
   {
-    throw Failure("its command is not one of lambent: " + OneLine(command));
+    throw Failure("its command is not a lambent command: " + OneLine(command));
   }
-  if (!NamesTheView(words)) // an older version drew it
+  if (!NamesTheView(words)) // written by an older version
   {
     words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
   }
-  words.insert(words.end(), { "-o", "-" }); // the parser wants to know where to
+  words.insert(words.end(), { "-o", "-" }); // the parser requires an output
   std::vector<const char*> argv;
   for (const std::string& word : words)
   {
@@ -172,13 +172,13 @@ Options ReadRecipe(const Options& options)
                       *const command = reader->GetText(CommandKey);
     if (!contract || !command)
     {
-      throw Failure("it does not tell how it was drawn; only PNG files of this command do");
+      throw Failure("it does not record how it was drawn; only PNG files of this command do");
     }
     const std::string ours = std::to_string(vtkLambentRayTracer::GetImageContractVersion());
     if (contract != ours && !options.quiet)
     {
       Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract) +
-        ", this is " + ours + "; bits may differ");
+        ", but this version has " + ours + "; bits may differ");
     }
     Options drawing = ParseRecipe(command);
     drawing.output = options.output;

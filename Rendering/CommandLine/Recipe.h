@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how a picture was drawn, in the text of its PNG file, and back
+ * @brief the recipe of a picture: text in its PNG file from which it can be rendered again
  *
- * Two texts: the version of the image contract, and the command that draws the picture
- * again. The command has the inputs and the options about the scene as they were
- * typed, in a fixed order and quoted for the shell, and the side from which it was drawn
- * even if it was not said, since its default has changed once: a command that names none is of
- * an older version (FormerDirection). It has nothing about when, where or by whom.
- * So a picture that is drawn again from its text is the same file.
+ * A PNG file holds two texts: the version of the image contract, and the command that renders the
+ * picture again. The command has the inputs and the scene's options as they were typed, in a fixed
+ * order and quoted for the shell. It always has the direction of view, even if that was not given,
+ * because the default has changed once: a command without one was written by an older version (see
+ * FormerDirection). The command does not record when, where or by whom the picture was rendered, so
+ * a picture that is rendered again from its text is the same file.
  */
 
 #ifndef Recipe_h
@@ -28,17 +28,18 @@ namespace lambent::command
 
 class VtkMessages;
 
-/// The command, without the size, that was parsed.
+/// The command that was parsed, without the size.
 std::string MakeRecipe(const CLI::App& app, const Options& options);
 
-/// What belongs into the file of a picture that was drawn so; nothing if it was not drawn.
+/// The texts for the file of a picture rendered with these options; empty if it was not rendered.
 PictureText DescribeDrawing(const Options& options);
 
-/// The words of a command, as a shell would see them.
+/// The words of a command, split as a shell would.
 std::vector<std::string> SplitWords(const std::string& command);
 
-/// The options that the text of the picture `options.recreate` tells, to be drawn for what
-/// else the options ask: into a file, or to be compared with that picture. Throws Failure.
+/// The options in the text of the picture `options.recreate`. The output, threads and verbosity are
+/// taken from `options`; without an output, the result is to be compared with that picture. Throws
+/// Failure.
 Options ReadRecipe(const Options& options);
 
 } // namespace lambent::command

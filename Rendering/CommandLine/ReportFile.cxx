@@ -18,7 +18,7 @@ namespace lambent::command
 namespace
 {
 
-// What tells such a page: its first two lines.
+// The first two lines, by which a report is recognised.
 const std::string Mark = "<!DOCTYPE html>\n<!-- report of lambent -->\n";
 
 const std::string Head = Mark + R"(<html lang="en">
@@ -34,7 +34,7 @@ const std::string Head = Mark + R"(<html lang="en">
 <h1>Pictures and their baselines</h1>
 )";
 
-/// Whatever the name, one line that no other name has and that HTML takes for a comment.
+/// An HTML comment in one line that is unique to the name, whatever its characters.
 std::string Marker(const char* kind, const std::string& name)
 {
   std::string text = std::string("<!-- ") + kind + " ";
@@ -54,7 +54,8 @@ std::string Marker(const char* kind, const std::string& name)
   return text + " -->\n";
 }
 
-/// The page with the section in it. Of a page that was cut short the rest is kept as it is.
+/// Replaces or appends a section. If the old section has no end, the page was truncated; then it is
+/// kept, and the new section appended.
 std::string WithSection(std::string page, const std::string& name, const std::string& section)
 {
   const std::string begin = Marker("begin", name), end = Marker("end", name);
@@ -64,7 +65,7 @@ std::string WithSection(std::string page, const std::string& name, const std::st
   return to == std::string::npos ? page + whole : page.replace(from, to + end.size() - from, whole);
 }
 
-/// A file that this process alone works on while the object lives.
+/// A file that is locked for this process during the object's lifetime.
 class LockedFile
 {
 public:
@@ -163,7 +164,7 @@ void AddToReport(const std::string& path, const std::string& name, const std::st
     }
     if (page.compare(0, Mark.size(), Mark) != 0)
     {
-      throw Failure("it is there, and is no report of lambent; choose another name");
+      throw Failure("it exists and is not a report of lambent; choose another name");
     }
     file.Replace(WithSection(page, name, section));
   }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief an HTML page of sections, which several processes may add to at once
+ * @brief an HTML page of sections to which several processes may add at once
  *
- * The page is one file that needs no other. Whoever has something to add locks it,
- * reads it, puts a section of its name into the place of an older one or at the end, and
- * writes it again. So tests that run in parallel share a page, a test that is
- * repeated has one section, and nobody has to join anything in the end.
+ * The page is a single file without dependencies. To add a section, a process locks the file, reads
+ * it, replaces the section of the same name or appends a new one, and writes the file again. So
+ * tests that run in parallel share a page, a repeated test has one section, and no final merge is
+ * needed.
  */
 
 #ifndef ReportFile_h
@@ -18,10 +18,10 @@
 namespace lambent::command
 {
 
-/// Text as HTML shows it.
+/// Escapes text for HTML.
 std::string EscapeHtml(const std::string& text);
 
-/// Throws Failure if the file cannot be written, or is there but not such a page.
+/// Throws Failure if the file cannot be written, or exists and is not a report.
 void AddToReport(const std::string& path, const std::string& name, const std::string& section);
 
 } // namespace lambent::command

@@ -22,7 +22,8 @@ namespace
 
 constexpr std::size_t MostRows = 15;
 
-/// A picture of bytes; floats from 0 to 1 become 0 to 255, other types what fits.
+/// The picture as bytes. Floats are scaled from 0..1 to 0..255, unsigned shorts from 0..65535;
+/// other types are clamped.
 vtkSmartPointer<vtkImageData> InBytes(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();

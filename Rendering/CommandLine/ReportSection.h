@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what a report says of one comparison: pictures side by side, and the changed cells
+ * @brief a report's section about one comparison: pictures side by side, and the changed cells
  */
 
 #ifndef ReportSection_h
@@ -24,13 +24,13 @@ struct Verdict
 {
   bool passed = false;
   std::string message;
-  vtkSmartPointer<vtkImageData> picture, baseline; ///< no baseline: there is none
-  vtkSmartPointer<vtkImageData> difference;        ///< none: they cannot be compared
-  std::vector<ChangedCell> cells;                  ///< if we drew the picture
-  std::vector<std::string> inputs;                 ///< what the cells are of
+  vtkSmartPointer<vtkImageData> picture, baseline; ///< baseline: null if there is none
+  vtkSmartPointer<vtkImageData> difference;        ///< null if the two cannot be compared
+  std::vector<ChangedCell> cells;                  ///< empty if the picture was read from a file
+  std::vector<std::string> inputs;                 ///< the inputs that the cells belong to
 };
 
-/// As HTML. Of what has passed there is no more than a line.
+/// The section in HTML. A comparison that passed gets only a heading and a line.
 std::string DescribeInHtml(const std::string& name, const Verdict& verdict, VtkMessages& messages);
 
 } // namespace lambent::command

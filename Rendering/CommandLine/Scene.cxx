@@ -14,8 +14,8 @@
 
 #include <cmath>
 
-// A platform's sin or tan must not decide a pixel. So what is computed here takes only
-// + - * / and sqrt, and vtkCamera's own trigonometry (Azimuth, Elevation, ...) is not used.
+// Pixels must not depend on a platform's sin or tan. The code here uses only + - * / and sqrt, and
+// avoids vtkCamera's trigonometry (Azimuth, Elevation, ...).
 
 namespace lambent::command
 {
@@ -39,20 +39,20 @@ Triple operator*(double f, const Triple& a)
 
 Triple UnitVector(const Triple& a)
 {
-  // Scaled first, so that neither 1e200 nor 1e-200 leaves the range of squares.
+  // Scale first, so that the squares of 1e200 or 1e-200 neither overflow nor underflow.
   const double largest = std::fmax(std::fabs(a[0]), std::fmax(std::fabs(a[1]), std::fabs(a[2])));
   const Triple b = { a[0] / largest, a[1] / largest, a[2] / largest };
   return (1 / std::sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2])) * b;
 }
 
-/// y is up, or z for a view along y.
+/// The default view-up: y, or z for a view along y.
 Triple UpFor(const Triple& direction)
 {
   const bool isAlongY = direction[0] == 0 && direction[2] == 0;
   return isAlongY ? Triple{ 0, 0, 1 } : Triple{ 0, 1, 0 };
 }
 
-/// The sine of an angle of 0 to 90 degrees; by the series, since libms differ.
+/// The sine of an angle of 0 to 90 degrees, by its series because math libraries differ.
 double SineOfDegrees(double degrees)
 {
   const double x = degrees * (3.14159265358979323846 / 180);
@@ -66,7 +66,7 @@ double SineOfDegrees(double degrees)
   return sum;
 }
 
-/// Radius over distance of a sphere that just fits the narrower way across the view.
+/// Radius over distance of a sphere that just fits the narrower side of the view.
 double SineInView(double viewAngle, const std::array<int, 2>& size)
 {
   const double sine = SineOfDegrees(viewAngle / 2);
@@ -89,7 +89,7 @@ Triple FocalPoint(vtkCamera* camera)
   return point;
 }
 
-/// Stand where all is in view, on the side that is asked for.
+/// Places the camera on the requested side, with everything in view.
 void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
 {
   vtkCamera* const camera = tracer->GetCamera();
@@ -97,14 +97,14 @@ void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(side.data());
   tracer->ResetCamera();
-  // Afterwards: a view-up that makes no sense must be an error, which resetting would mend.
+  // After the reset: an invalid view-up must be an error, and ResetCamera() would repair it.
   camera->SetViewUp(options.viewUp.value_or(UpFor(side)).data());
 
   const Triple center = FocalPoint(camera);
   Triple toEye = Position(camera) - center;
   if (options.viewAngle)
   {
-    // ResetCamera() takes 30 degrees; the bounding sphere shall stay just in view.
+    // ResetCamera() assumed 30 degrees; keep the bounding sphere just in view.
     const double ratio =
       SineInView(30, *options.size) / SineInView(*options.viewAngle, *options.size);
     toEye = ratio * toEye;
@@ -114,15 +114,16 @@ void FrameScene(const Options& options, vtkLambentRayTracer* tracer)
   camera->SetPosition((focus + toEye).data());
 }
 
-/// Stand where the options say; look at what they say, or at the middle of the scene.
+/// Places the camera at the given position. It looks at the given focal point, or at the centre of
+/// the scene.
 void PlaceCamera(const Options& options, vtkLambentRayTracer* tracer)
 {
   vtkCamera* const camera = tracer->GetCamera();
   tracer->ResetCamera(); // for the centre, and the parallel scale
   const Triple focus = options.focalPoint.value_or(FocalPoint(camera));
-  if (focus == *options.cameraPosition) // vtkCamera would quietly move one of them
+  if (focus == *options.cameraPosition) // vtkCamera would silently move one of them
   {
-    throw Failure("cannot render: the camera is where it looks; move --camera-position or "
+    throw Failure("cannot render: the camera is at its focal point; move --camera-position or "
                   "--focal-point");
   }
   camera->SetFocalPoint(focus.data());

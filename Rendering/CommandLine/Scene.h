@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from options to a ray tracer that is ready to be updated
+ * @brief sets up a ray tracer from the options
  */
 
 #ifndef Scene_h
@@ -20,7 +20,7 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// Camera, lights, property and image of the options, over the meshes.
+/// A ray tracer with the meshes, and the camera, lights, property and image of the options.
 vtkSmartPointer<vtkLambentRayTracer> MakeScene(
   const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
 

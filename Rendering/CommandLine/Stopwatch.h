@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how long the stages of the work take
+ * @brief measures the time of each stage
  */
 
 #ifndef Stopwatch_h
@@ -21,7 +21,7 @@ class Stopwatch
 public:
   using Laps = std::vector<std::pair<std::string, double>>; ///< name, milliseconds
 
-  /// Ends a stage; the next one begins.
+  /// Ends a stage and begins the next.
   void Lap(const std::string& stage)
   {
     const Clock::time_point now = Clock::now();

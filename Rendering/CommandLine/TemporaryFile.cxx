@@ -19,7 +19,7 @@ namespace lambent::command
 namespace
 {
 
-// What a signal handler may touch: plain memory that nobody changes while it may run.
+// A signal handler may use only plain memory that nothing changes while the handler may run.
 char PathToRemove[4096];
 volatile std::sig_atomic_t HasPathToRemove = 0;
 
@@ -43,13 +43,13 @@ void RemoveOnSignal(const std::string& path)
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
     struct sigaction old;
-    // A signal that the caller has us ignore (nohup) stays ignored.
+    // A signal that the caller set to be ignored (nohup) stays ignored.
     if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_DFL)
     {
       std::signal(signal, RemoveAndEnd);
     }
   }
-  std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit is an error to report, not a signal
+  std::signal(SIGXFSZ, SIG_IGN); // exceeding the file size limit then fails with an error to report
 }
 
 std::filesystem::path FolderOf(const std::filesystem::path& path)
@@ -57,7 +57,7 @@ std::filesystem::path FolderOf(const std::filesystem::path& path)
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-/// Where the bytes go: through symbolic links, so that these stay what they are.
+/// Follows symbolic links, so that writing replaces the file and not the link.
 std::filesystem::path Resolve(const std::string& target)
 {
   std::error_code error;
@@ -65,7 +65,7 @@ std::filesystem::path Resolve(const std::string& target)
   const std::filesystem::path resolved = error ? std::filesystem::path(target) : path;
   if (!std::filesystem::is_directory(FolderOf(resolved), error))
   {
-    throw Failure("there is no folder '" + FolderOf(target).string() + "'; make it first");
+    throw Failure("there is no folder '" + FolderOf(target).string() + "'; create it first");
   }
   const std::filesystem::file_status status = std::filesystem::status(resolved, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
@@ -120,10 +120,11 @@ void TemporaryFile::Write(const void* bytes, std::size_t size)
   bool isWritten = file && std::fwrite(bytes, 1, size, file) == size;
   isWritten &= file && std::fflush(file) == 0;
   const int error = errno;
-  isWritten &= file && std::fclose(file) == 0; // where a network drive says that it is full
+  isWritten &= file && std::fclose(file) == 0; // a network drive reports here that it is full
   if (!isWritten)
   {
-    throw Failure(std::string(std::strerror(error)) + "; make room, or choose another folder");
+    throw Failure(
+      std::string(std::strerror(error)) + "; free some space, or choose another folder");
   }
 }
 
@@ -132,7 +133,7 @@ void TemporaryFile::Commit()
   struct stat old;
   if (stat(this->Target.c_str(), &old) == 0)
   {
-    (void)chmod(this->Path.c_str(), old.st_mode & 07777); // as if it had been written over
+    (void)chmod(this->Path.c_str(), old.st_mode & 07777); // as if the old file had been overwritten
   }
   if (std::rename(this->Path.c_str(), this->Target.c_str()) != 0)
   {

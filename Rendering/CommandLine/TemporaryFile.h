@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a file that appears under its name whole or not at all
+ * @brief a file that appears under its name complete or not at all
  */
 
 #ifndef TemporaryFile_h
@@ -15,16 +15,16 @@ namespace lambent::command
 {
 
 /**
- * Stands beside the file that it will become, since only within one file system
- * is renaming one step. Unless Commit() succeeds, it is removed: by the
- * destructor, and when SIGINT, SIGTERM or SIGHUP end the process. One at a time.
+ * It is created in the target's folder, because renaming is atomic only within one file system.
+ * Unless Commit() succeeds, it is removed by the destructor, or when SIGINT, SIGTERM or SIGHUP ends
+ * the process. Only one may exist at a time.
  */
 class TemporaryFile
 {
 public:
-  /// Makes the file, empty. Throws Failure if that cannot be: no such folder, no permission.
+  /// Creates an empty file. Throws Failure if that is impossible: no such folder, no permission.
   explicit TemporaryFile(const std::string& target);
-  /// Makes an empty file in a folder that never becomes another: its name is new, its end given.
+  /// Creates an empty file with a new name and the given extension, which is never committed.
   TemporaryFile(const std::string& folder, const std::string& extension);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -35,7 +35,7 @@ public:
   /// Writes the whole content. Throws Failure, for instance if the disk is full.
   void Write(const void* bytes, std::size_t size);
 
-  /// Gives the file its name; what had the name before is replaced.
+  /// Renames the file to its target, replacing any existing file.
   void Commit();
 
 private:

@@ -78,7 +78,7 @@ Triple ParseTriple(const std::string& text)
   const std::vector<std::string> parts = Split(text, ',');
   if (parts.size() != 3)
   {
-    throw BadValue("'" + text + "' is not three numbers with commas between, such as 0,0,1");
+    throw BadValue("'" + text + "' is not three numbers separated by commas, such as 0,0,1");
   }
   return { ParseNumber(parts[0]), ParseNumber(parts[1]), ParseNumber(parts[2]) };
 }
@@ -88,7 +88,7 @@ Triple ParseDirection(const std::string& text)
   const Triple value = ParseTriple(text);
   if (value == Triple{ 0, 0, 0 })
   {
-    throw BadValue("'" + text + "' points nowhere; one of the three must not be zero");
+    throw BadValue("'" + text + "' has no direction; one of the three must not be zero");
   }
   return value;
 }
@@ -115,7 +115,7 @@ Triple ParseColor(const std::string& text)
   vtkNew<vtkNamedColors> names;
   if (text.empty() || !names->ColorExists(text))
   {
-    throw BadValue("'" + text + "' is not a colour; say r,g,b in 0..1, #rrggbb or a name");
+    throw BadValue("'" + text + "' is not a colour; use r,g,b in 0..1, #rrggbb or a name");
   }
   const vtkColor3d color = names->GetColor3d(text);
   return { color[0], color[1], color[2] };
@@ -126,7 +126,7 @@ std::array<int, 2> ParseSize(const std::string& text)
   const std::vector<std::string> parts = Split(text, 'x');
   const auto side = [](const std::string& digits)
   {
-    // Nine digits always fit an int; whether the picture fits memory is not known here.
+    // Nine digits always fit an int; whether the picture fits into memory is not known here.
     const bool isNumber = !digits.empty() && digits.size() <= 9 &&
       digits.find_first_not_of("0123456789") == std::string::npos;
     return isNumber ? std::stoi(digits) : 0;
@@ -150,7 +150,7 @@ ContourValue ParseContour(const std::string& text)
     contour.array = text.substr(comma + 1);
     if (contour.array.empty())
     {
-      throw BadValue("'" + text + "' names no array behind its comma");
+      throw BadValue("'" + text + "' names no array after its comma");
     }
   }
   return contour;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the values that options take, from text
+ * @brief parses the values of options
  *
- * Each function reads the whole of its text or throws BadValue with a sentence
- * that says what was expected. Only finite numbers are let through, so nothing
- * behind the command line ever meets a NaN from it.
+ * Each function parses its whole text, or throws BadValue with a sentence that says what was
+ * expected. Only finite numbers are accepted, so the command line never passes on a NaN.
  */
 
 #ifndef Values_h
@@ -22,7 +21,7 @@ namespace lambent::command
 
 using Triple = std::array<double, 3>;
 
-/// A value that cannot be understood; what() says what was expected.
+/// A value that cannot be parsed; what() says what was expected.
 struct BadValue : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -33,9 +32,9 @@ struct LightValue
 {
   enum class Kind
   {
-    Headlight,  ///< at the camera, shining where it looks
+    Headlight,  ///< at the camera, in its direction of view
     Positional, ///< at `place`
-    Directional ///< from infinitely far away, travelling along `place`
+    Directional ///< from infinitely far away, along `place`
   };
   Kind kind = Kind::Headlight;
   std::string text; ///< as it was typed
@@ -43,19 +42,19 @@ struct LightValue
   Triple color{ 1, 1, 1 };
   double intensity = 1;
 
-  // Of positional lights only.
-  double cone = 180; ///< half the opening of the cone in degrees; from 90 on there is none
+  // Only for positional lights.
+  double cone = 180; ///< half the opening angle of the cone in degrees; no cone from 90 on
   double exponent = 0;
   Triple attenuation{ 1, 0, 0 };
   bool hasFocus = false;
-  Triple focus{ 0, 0, 0 }; ///< what the cone points at; without it the camera's focal point
+  Triple focus{ 0, 0, 0 }; ///< what the cone points at; default: the camera's focal point
 };
 
 /// A surface in a volume as `--contour` describes it.
 struct ContourValue
 {
   double value = 0;
-  std::string array; ///< empty: the one that the volume's data makes obvious, see Contour.h
+  std::string array; ///< empty: the volume's only or active array, see Contour.h
 };
 
 /// The parts of a text between separators; an empty text has one empty part.
@@ -79,16 +78,16 @@ Triple ParseTriple(const std::string& text);
 /// x,y,z that are not all zero.
 Triple ParseDirection(const std::string& text);
 
-/// r,g,b in 0..1, \#rrggbb, or a name that vtkNamedColors knows.
+/// r,g,b in 0..1, \#rrggbb, or a name from vtkNamedColors.
 Triple ParseColor(const std::string& text);
 
 /// WIDTHxHEIGHT, each at least 1.
 std::array<int, 2> ParseSize(const std::string& text);
 
-/// VALUE or VALUE,ARRAY; the name of an array may have commas in it.
+/// VALUE or VALUE,ARRAY; the array's name may contain commas.
 ContourValue ParseContour(const std::string& text);
 
-/// position=x,y,z or direction=x,y,z, and more key=value pairs, joined by colons or semicolons.
+/// position=x,y,z or direction=x,y,z, and other key=value pairs, joined by colons or semicolons.
 LightValue ParseLight(const std::string& text);
 
 } // namespace lambent::command

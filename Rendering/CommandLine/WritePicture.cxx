@@ -37,7 +37,7 @@ void CheckWriter(Writer* writer, VtkMessages& messages)
   const unsigned long code = writer->GetErrorCode();
   if (code == vtkErrorCode::OutOfDiskSpaceError)
   {
-    throw Failure("the disk is full, or the file too large for it; make room");
+    throw Failure("the disk is full, or the file is too large for it; free some space");
   }
   if (!error.empty() || code != vtkErrorCode::NoError)
   {
@@ -45,8 +45,8 @@ void CheckWriter(Writer* writer, VtkMessages& messages)
   }
 }
 
-/// As PNG or JPEG in memory. Writing the bytes is then in our own hands, and so are its errors,
-/// some of which the writers do not notice.
+/// Encodes PNG or JPEG in memory. The bytes are written separately, because the writers miss some
+/// write errors.
 template <typename Writer>
 vtkSmartPointer<vtkUnsignedCharArray> Encode(
   Writer* writer, vtkImageData* image, VtkMessages& messages)
@@ -76,7 +76,7 @@ void WriteThrough(Writer* writer, TemporaryFile& file, vtkImageData* image, VtkM
   CheckWriter(writer, messages);
 }
 
-/// While it lives, what libraries print to standard error goes nowhere.
+/// Silences standard error during its lifetime, since libraries print to it.
 class SilentStandardError
 {
 public:
@@ -99,7 +99,7 @@ private:
   int Kept;
 };
 
-/// Whether two pictures are the same, one perhaps upside down: vtkTIFFReader turns them.
+/// Whether two pictures are the same, perhaps upside down: vtkTIFFReader flips them.
 bool IsSame(vtkImageData* a, vtkImageData* b)
 {
   const int* const size = a->GetDimensions();
@@ -121,8 +121,8 @@ bool IsSame(vtkImageData* a, vtkImageData* b)
   return isSame || isSameTurned;
 }
 
-/// libtiff prints its errors, and of those when the file is closed vtkTIFFWriter does not hear. So
-/// the file is read again.
+/// libtiff prints its errors, and vtkTIFFWriter misses those at closing. So the file is read back
+/// and compared.
 void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
 {
   const SilentStandardError silence;
@@ -135,7 +135,7 @@ void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
   reader->Update();
   if (!messages.TakeError().empty() || !IsSame(image, reader->GetOutput()))
   {
-    throw Failure("the disk is full, or the file too large for it; make room");
+    throw Failure("the disk is full, or the file is too large for it; free some space");
   }
 }
 
@@ -197,7 +197,7 @@ vtkSmartPointer<vtkUnsignedCharArray> EncodePng(
   {
     writer->AddText(key.c_str(), value.c_str());
   }
-  writer->SetCompressionLevel(3); // of rendered surfaces about as small as 6, in less time
+  writer->SetCompressionLevel(3); // for rendered surfaces about as small as 6, in less time
   return Encode(writer.Get(), image, messages);
 }
 
@@ -234,7 +234,7 @@ void WritePicture(
     WriteKind(*PictureKindOf(path), file, image, messages, text);
     file.Commit();
   }
-  catch (const std::exception& reason) // a Failure, or memory that is not there
+  catch (const std::exception& reason) // a Failure, or out of memory
   {
     throw Failure("cannot write " + WhereTo(path) + ": " + reason.what());
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from an image to a file of any kind
+ * @brief writes an image to a file of any supported kind
  */
 
 #ifndef WritePicture_h
@@ -22,16 +22,15 @@ namespace lambent::command
 
 class VtkMessages;
 
-/// Keys and texts that a PNG file holds beside the picture.
+/// Keys and texts stored in a PNG file.
 using PictureText = std::vector<std::pair<std::string, std::string>>;
 
-/// Throws Failure if a picture surely cannot be written there; known before it is drawn.
+/// Throws Failure if a picture cannot be written there. Called before rendering.
 void CheckPicturePlace(const std::string& path);
 
 /**
- * Writes the image in the kind that the name tells; "-" is PNG to standard
- * output. The text goes into PNG, others have no place for it. The file is there
- * whole or, if Failure is thrown, as it was before.
+ * Writes the image in the format of the path's extension; "-" is PNG to standard output. The text
+ * is written to PNG files only. If Failure is thrown, an existing file is unchanged.
  */
 void WritePicture(vtkImageData* image, const std::string& path, VtkMessages& messages,
   const PictureText& text = {});

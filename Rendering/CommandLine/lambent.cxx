@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the command `lambent`: from meshes on disk to the picture of them
+ * @brief the command `lambent`, which renders mesh files into a picture
  */
 
 #include "CheckPolygons.h"
@@ -55,8 +55,8 @@ Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progr
   return meshes;
 }
 
-/// Says why the feature angle has no effect, if so, and drops it: the ray tracer would warn, too,
-/// and names methods, not options.
+/// Warns if the feature angle has no effect, and drops it: the ray tracer's own warning would name
+/// methods instead of options.
 void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
 {
   const std::string reason = WhyFeatureAngleIsIdle(options, meshes);
@@ -70,7 +70,7 @@ void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
   }
 }
 
-/// A picture, and if it is to be compared, what its pixels show.
+/// A picture and, for a comparison, the ids of its pixels.
 struct Drawing
 {
   vtkSmartPointer<vtkImageData> picture;
@@ -85,7 +85,7 @@ vtkSmartPointer<vtkIdTypeArray> TakeIds(vtkImageData* picture, const char* name)
   return ids;
 }
 
-/// Takes the time of the first of a ray tracer's two stages, "normals" and "rendering".
+/// Records the time of the first of the ray tracer's two stages, "normals" and "rendering".
 void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
 {
   vtkNew<vtkCallbackCommand> observer;
@@ -109,7 +109,7 @@ void WarnIfNothingIsSeen(
 {
   const std::string reason =
     options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
-  messages.DropWarnings(); // of having drawn it again
+  messages.DropWarnings(); // from rendering again to find the reason
   if (!reason.empty())
   {
     Say("warning: " + reason);
@@ -137,7 +137,7 @@ Drawing Render(const Options& options, const Meshes& meshes, VtkMessages& messag
   return { picture, { TakeIds(picture, "CellIds"), TakeIds(picture, "InputIds") } };
 }
 
-/// As large as the options say, or else as the baseline is.
+/// The size in the options, or else the baseline's.
 std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
 {
   if (options.size)
@@ -148,7 +148,7 @@ std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
   std::error_code error;
   if (!baseline.empty() && std::filesystem::exists(baseline, error))
   {
-    const auto picture = ReadPicture(baseline, messages); // which the dimensions belong to
+    const auto picture = ReadPicture(baseline, messages); // owns the dimensions
     const int* const size = picture->GetDimensions();
     return { size[0], size[1] };
   }
@@ -178,13 +178,13 @@ void UseThreads(int count)
 {
   if (count > 0)
   {
-    // More threads than the machine runs at once bring nothing but a complaint of TBB's.
+    // More threads than the machine runs at once gain nothing and make TBB warn.
     const int most = static_cast<int>(std::thread::hardware_concurrency());
     vtkSMPTools::Initialize(most > 0 ? std::min(count, most) : count);
   }
 }
 
-/// Draws, writes and compares, as far as each is asked for. False: the comparison has failed.
+/// Renders, and writes and compares if requested. Returns false if the comparison failed.
 bool Draw(Options options, VtkMessages& messages)
 {
   Progress progress(!options.quiet);
@@ -255,7 +255,7 @@ int main(int argc, char* argv[])
   {
     return Run(parsed.options) ? 0 : 1;
   }
-  catch (const std::exception& error) // a Failure says all; anything else is memory, mostly
+  catch (const std::exception& error) // a Failure; anything else is most likely out of memory
   {
     Say(OneLine(error.what()));
     return 1;

@@ -147,7 +147,7 @@ class TestEnSight(CommandTest):
                         done = self.run_command("box.case", *VIEW, "-o", "picture.pnm")
                         self.assertEqual(
                             (done.returncode, done.stderr.decode()),
-                            (0, "lambent: warning: 'box.case': its variable %s is left out: the file "
+                            (0, "lambent: warning: 'box.case': its variable %s is skipped: the file "
                              "'%s' is cut short\n" % (variable, name)))
                         self.assertEqual(self.read("picture.pnm"), surface)
                         done = self.run_command("box.case", "--contour", "0.5,x", "-o", "x.png")

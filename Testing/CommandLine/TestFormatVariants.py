@@ -108,7 +108,7 @@ class TestGifti(VariantsTest):
         self.assertIn("1 arrays of points and 2 of triangles",
                       self.failure("a.gii", gifti(POINTS, TRIANGLES, TRIANGLES)))
         self.assertIn("not a GIFTI file", self.failure("a.gii", "<VTKFile/>"))
-        self.assertIn("is it whole", self.failure("a.gii", "Dear reader"))
+        self.assertIn("check that the file is complete", self.failure("a.gii", "Dear reader"))
 
     def test_triangles_that_name_no_point(self):
         for wrong in (4, -1, 2000000000):
@@ -145,7 +145,7 @@ class TestGifti(VariantsTest):
 
     def test_data_that_are_broken(self):
         for encoding, data, word in (
-                ("ASCII", "0 2 1 x 1 3 1 2 3 2 0 3", "number 3"), ("Base64Binary", "AAAA*AAA", "base64"),
+                ("ASCII", "0 2 1 x 1 3 1 2 3 2 0 3", "value 3"), ("Base64Binary", "AAAA*AAA", "base64"),
                 ("Base64Binary", "AAA", "base64"), ("Base64Binary", "A===", "base64"),
                 ("GZipBase64Binary", "AAAAAAAA", "packed"), ("Base64Binary", "", "fewer"),
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(48))[:-3]).decode(), "packed"),
@@ -280,7 +280,7 @@ class TestGmsh(VariantsTest):
                 ("$Nodes\n4", "$Nodes\n-4", "is negative"),
                 ("$Elements\n4", "$Elements\n5", "there is no number"),
                 ("4 2 2 0 1", "4 2 -2 0 1", "is negative"),
-                ("4 2 2 0 1", "4 34 2 0 1", "element 4 is of the type 34, which is not read"),
+                ("4 2 2 0 1", "4 34 2 0 1", "element 4 is of type 34, which cannot be read"),
                 ("2.2", "4.0", "msh41"), ("2.2", "1", "msh41"), ("2.2 0 8", "2.2 0 4", "8 bytes"),
                 ("$MeshFormat", "$NOD", "meshio"), ("$MeshFormat", "(0 \"grid\")", "ANSYS Fluent")):
             self.assertIn(old, text)
@@ -345,7 +345,7 @@ class TestAbaqus(VariantsTest):
     def test_elements_that_are_not_drawn(self):
         text = abaqus(CUBE, ("B31", [(0, 1), (1, 2)]), ("S4", CUBE_FACES), ("T3D2", [(0, 3)]))
         line = self.warning("a.inp", text)
-        self.assertIn("elements of types that are not drawn, such as 'B31', are left out; they take 3 lines", line)
+        self.assertIn("elements of types that are not drawn, such as 'B31', are skipped; they take up 3 lines", line)
         self.assertEqual(self.read("picture.pnm"), self.reference((CUBE, CUBE_FACES)))
 
     def test_parts(self):
@@ -365,18 +365,18 @@ class TestAbaqus(VariantsTest):
                 ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE names another file"),
                 ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE names another file"),
                 ("*Node\n", "*Node, system=C\n", "rectangular coordinates"),
-                ("*Element", "*Ngen\n1, 5, 1\n*Element", "line 8: *NGEN makes or moves"),
+                ("*Element", "*Ngen\n1, 5, 1\n*Element", "line 8: *NGEN creates or moves"),
                 ("*Heading", "8 12 0 0 0", "AVS"), ("*Heading", "# made by AVS\n8 12 0 0 0", "AVS"),
                 ("*Heading", "[TITLE]", "does not begin with a keyword"),
-                ("*Element", "*Elset", "there are no elements"),
+                ("*Element", "*Elset", "it has no elements"),
                 (", type=S3", "", "line 8: *ELEMENT has no TYPE"),
                 ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 names node 11, which does not exist"),
                 ("4, 30, 10, 40", "4, 30, 10, 40, 20", "line 12: element 4 has more than the 3 nodes"),
                 ("4, 30, 10, 40", "4, 30, 10", "line 12: element 4 has only 2 of the 3 nodes of its type 'S3'"),
-                ("4, 30, 10, 40", "4, 30, x, 40", "line 12: 'X' where the number of an element or node"),
-                ("20, 2", "20, two", "line 5: 'TWO' where a coordinate of node 20"),
+                ("4, 30, 10, 40", "4, 30, x, 40", "line 12: found 'X' where the number of an element or node"),
+                ("20, 2", "20, two", "line 5: found 'TWO' where a coordinate of node 20"),
                 ("20, 2", "20, inf", "node 20 has a coordinate that is not a finite number"),
-                ("20, 2", "x, 2", "line 5: 'X' where the number of a node")):
+                ("20, 2", "x, 2", "line 5: found 'X' where the number of a node")):
             self.assertIn(old, whole)
             self.assertIn(word, self.failure("a.inp", whole.replace(old, new, 1)), (old, new))
 

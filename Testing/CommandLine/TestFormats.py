@@ -152,7 +152,7 @@ class TestFormatsList(FormatsTest):
                              ("mesh.bdf.gz", "meshio")):
             self.write(name, "Dear reader")
             line = self.fail_to_read(name)
-            self.assertIn("are not read; ", line)
+            self.assertIn("cannot be read; ", line)
             self.assertIn(remedy, line)
             self.assertIn(".vtp .vtk .vtu", line)
 
@@ -178,7 +178,7 @@ class TestContourOptions(FormatsTest):
         text = self.read("box.vti").decode()
         array = text[text.index("<DataArray"):text.index("</DataArray>")] + "</DataArray>"
         self.write("two.vti", text.replace(array, array + array.replace('"x"', '"y,z"')))
-        self.assertIn("--contour does not say of which array; its arrays: cell from 1 to 2, "
+        self.assertIn("--contour does not name one of its arrays; its arrays: cell from 1 to 2, "
                       "x from 0 to 2, y,z from 0 to 2",
                       self.fail_to_read("two.vti", "--contour", "1"))
         self.picture("two.vti", "--contour", "0.75,y,z")

@@ -190,7 +190,7 @@ TEST(Isolated, ReadersThatComeToNoEndAreStopped)
       return MakeMesh();
     },
     limits);
-  EXPECT_EQ(failure.rfind("its reader came to no end in 1 seconds", 0), 0u) << failure;
+  EXPECT_EQ(failure.rfind("its reader did not finish in 1 seconds", 0), 0u) << failure;
 }
 
 TEST(Isolated, CellsThatNameNoPointAreRefused)

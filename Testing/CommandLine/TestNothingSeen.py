@@ -14,12 +14,12 @@ TUBE = ([(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (0.5, 1))],
 AT_Z = ("--direction", "0,0,1")
 FAR_LAMP = "position=0,0,9;"
 
-FLAT = "the faces are flat and seen along their plane; try --direction "
+FLAT = "the faces are flat and seen edge-on; try --direction "
 OUTSIDE = "no face lies in the view of the camera; try without "
-COLOURS = ("the light in it has none of the colours that the faces reflect; try another --color, or "
+COLOURS = ("the light has none of the colours that the faces reflect; try another --color, or "
            "another color in --light")
-NO_COLOUR = "all faces in it are black; try another --color, --diffuse or --ambient"
-BEHIND = "the lights shine along the faces or on them from behind; try --headlight or --ambient 0.2"
+NO_COLOUR = "all visible faces are black; try another --color, --diffuse or --ambient"
+BEHIND = "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2"
 
 # What is drawn, with which options, and the line that is said after "the picture shows nothing: ".
 CASES = (
@@ -31,19 +31,19 @@ CASES = (
     (TWO_SHEETS, ("--direction", "1,0,0", "--parallel-scale", "2"), FLAT + "0,0,1"),
     (TILTED, ("--direction", "1,0,1"), FLAT + "-0.71,0,0.71"),
     (TUBE, AT_Z + ("--parallel-scale", "2"), FLAT),
-    (IN_A_LINE, (), "none of the faces has an area; their corners lie in one line or place"),
+    (IN_A_LINE, (), "none of the faces has an area; their corners lie on a line or at a point"),
     (TETRAHEDRON, ("--camera-position", "0,0,5", "--focal-point", "0,0,9"),
      "all faces lie behind the camera; try without --camera-position or --focal-point"),
     (TETRAHEDRON, ("--focal-point", "50,0,0"), OUTSIDE + "--focal-point"),
     (SQUARE, AT_Z + ("--focal-point", "30,0,0", "--zoom", "2"), OUTSIDE + "--focal-point or --zoom"),
-    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces are so small there that they fall "
+    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces look so small that they fall "
      "between the pixels; try a larger --zoom or --size"),
     # The surface.
     (TETRAHEDRON, ("--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--diffuse", "0"), NO_COLOUR),
     (TETRAHEDRON, ("--shading", "unlit", "--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--background", "white", "--shading", "unlit"),
-     "all faces in it have the colour of the background; try another --background"),
+     "all visible faces have the colour of the background; try another --background"),
     # The light.
     (SQUARE, AT_Z + ("--light", "direction=0,0,1"), BEHIND),
     (SQUARE, AT_Z + ("--light", "position=0,0,-3", "--light", "position=1,0,-3"), BEHIND),
@@ -52,15 +52,15 @@ CASES = (
     (SQUARE, AT_Z + ("--light", "direction=0,0,-1;color=black"),
      "the lights have no intensity or colour; try another --light, or --headlight"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "cone=10;focal=9,0,9"),
-     "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+     "no visible face lies in the cone of a light; try a wider cone or another focal point in "
      "--light"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "cone=10;focal=9,0,9", "--light", "direction=0,0,1"),
-     "no face in it lies in the cone of a light; try a wider cone or another focal point in "
+     "no visible face lies in the cone of a light; try a wider cone or another focal point in "
      "--light"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "attenuation=0,0,1000"),
      "the lights are too far away for their attenuation; try a smaller one in --light"),
     (SQUARE, AT_Z + ("--light", FAR_LAMP + "intensity=1e-4"),
-     "the light in it is too weak to show; try a larger intensity in --light"),
+     "the light is too weak to show; try a larger intensity in --light"),
     (SQUARE, AT_Z + ("--color", "red", "--light", "direction=0,0,-1;color=blue"), COLOURS),
 )
 
@@ -93,7 +93,7 @@ class TestNothingSeen(CommandTest):
                                            "--direction=" + direction), "", direction)
 
     def test_black_faces_before_another_background(self):
-        self.assertIn("the picture shows black only: " + NO_COLOUR,
+        self.assertIn("the picture shows only black: " + NO_COLOUR,
                       self.said(TETRAHEDRON, "--background", "white", "--color", "black"))
 
     def test_normals_that_point_sideways(self):
@@ -103,7 +103,7 @@ class TestNothingSeen(CommandTest):
         self.write("mesh.obj", points + normals + faces)
         done = self.run_command("mesh.obj", "-o", "picture.png", "--size", "40x30", *AT_Z)
         self.assertEqual(done.stderr.decode(), "lambent: warning: the picture shows nothing: the "
-                         "normals of the mesh point away from the light, or are none; try --shading flat\n")
+                         "normals of the mesh are invalid or point away from the light; try --shading flat\n")
 
     def test_a_strip_is_triangles(self):
         self.write("strip.vtk", "# vtk DataFile Version 3.0\nstrip\nASCII\nDATASET POLYDATA\n"

@@ -77,7 +77,7 @@ TEST(ReadObj, LinesThatGoOn)
 {
   ExpectSquare(Square + "f 1 \\\n2 \\\r\n3\nf\\\n 1 3\\ \n 4\n");
   ExpectSquare("v 0 \\\n 0 0\n" + Square.substr(8) + "f 1 2 3\nf 1 3 4\n");
-  ExpectFailure("v 0 0 \\\n\\\n x\n", "line 3: 'x' where a number is due");
+  ExpectFailure("v 0 0 \\\n\\\n x\n", "line 3: found 'x' where a number is expected");
 }
 
 TEST(ReadObj, UnknownLines)
@@ -118,8 +118,8 @@ TEST(ReadObj, FacesOfTooFewPointsAreCounted)
   const Outcome outcome = Read(Square + "f 1 2\nf 1 2 3\nf 1\nf\nl 3\nf 1 3 4\n");
   EXPECT_EQ(PolygonsOf(outcome), SquareCells);
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: faces (f) of fewer than 3 points and lines (l) of fewer than 2 are left "
-    "out; it has 4 of them\n");
+    "lambent: warning: faces (f) of fewer than 3 points and lines (l) of fewer than 2 are skipped; "
+    "it has 4 of them\n");
 }
 
 TEST(ReadObj, LinesAndPointsAreKept)
@@ -135,7 +135,7 @@ TEST(ReadObj, FreeFormSurfacesAreCounted)
 {
   const Outcome outcome = Read(Square + "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 4 \\\n 3\nend\n");
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: free-form surfaces (surf) are left out; it has 1 of them\n");
+    "lambent: warning: free-form surfaces (surf) are skipped; it has 1 of them\n");
 }
 
 TEST(ReadObj, CoordinatesAreDouble)
@@ -191,25 +191,25 @@ TEST(ReadObj, IndicesThatNameNothing)
 
 TEST(ReadObj, NumbersThatAreNone)
 {
-  ExpectFailure("v 0 0 0\r\nv 0 x 0\r\n", "line 2: 'x' where a number is due");
+  ExpectFailure("v 0 0 0\r\nv 0 x 0\r\n", "line 2: found 'x' where a number is expected");
   ExpectFailure("v 0 0\nv 0 0 0\n", "line 1: a point (v) has 2 numbers and needs 3");
-  ExpectFailure("v 1,2,3\n", "line 1: '1,2,3' where a number is due");
+  ExpectFailure("v 1,2,3\n", "line 1: found '1,2,3' where a number is expected");
   ExpectFailure("v 0 0 nan\n", "line 1: 'nan' is not a finite number");
   ExpectFailure("v 0 0 1e999\n", "line 1: '1e999' is not a finite number");
-  ExpectFailure("v 0 0 1.#IND\n", "line 1: '1.#IND' where a number is due");
-  ExpectFailure("v 0 0 0 \x01\x80\n", "line 1: '\x3f\x3f' where a number is due");
+  ExpectFailure("v 0 0 1.#IND\n", "line 1: found '1.#IND' where a number is expected");
+  ExpectFailure("v 0 0 0 \x01\x80\n", "line 1: found '\x3f\x3f' where a number is expected");
   ExpectFailure("v 0 0 0\rvn 0 1\r", "line 2: a normal (vn) has 2 numbers and needs 3");
   ExpectFailure("vt\n", "line 1: a texture coordinate (vt) has 0 numbers and needs 1");
-  ExpectFailure("vn 0 0 1e39\n", "line 1: it has a number beyond what a float can hold");
-  ExpectFailure(
-    Square + "f 1 2 x\n", "line 5: 'x' where a corner like 1, 1/1, 1//1 or 1/1/1 is due");
+  ExpectFailure("vn 0 0 1e39\n", "line 1: it has a number beyond the range of a float");
+  ExpectFailure(Square + "f 1 2 x\n",
+    "line 5: found 'x' where a corner like 1, 1/1, 1//1 or 1/1/1 is expected");
   for (const std::string corner : { "1/1/1/1", "/1", "1.5", "1-", "1 /1", "1///1", "--1" })
   {
     const Outcome outcome = Read(Square + "vt 0 0\nvn 0 0 1\nf 2 3 " + corner + "\n");
-    EXPECT_EQ(outcome.failure.rfind("line 7: '", 0), 0u) << corner << ": " << outcome.failure;
+    EXPECT_EQ(outcome.failure.rfind("line 7: found '", 0), 0u) << corner << ": " << outcome.failure;
   }
   const std::string zero("v 0 0 0\0\n", 9);
-  ExpectFailure(zero, "line 1: '0?' where a number is due");
+  ExpectFailure(zero, "line 1: found '0?' where a number is expected");
 }
 
 TEST(ReadObj, NothingInIt)

@@ -163,7 +163,7 @@ TEST(ReadPly, TriangleStripsThatAreNone)
 {
   const Outcome outcome = ReadFrom(ReadPly, WithStrips("int int", "7 0 -1 0 1 2 -1 3"));
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: triangle strips of fewer than 3 points are left out; it has 2 of them\n");
+    "lambent: warning: triangle strips of fewer than 3 points are skipped; it has 2 of them\n");
   EXPECT_EQ(CellsOf(outcome.mesh->GetStrips()), (Cells{ { 0, 1, 2 } }));
   EXPECT_EQ(ReadFrom(ReadPly, WithStrips("int int", "4 0 1 2 -2")).failure,
     "triangle strip 0 names a vertex that does not exist");
@@ -179,8 +179,8 @@ TEST(ReadPly, NumbersLeftOverOnALine)
   text.replace(text.find("3 0 1 2\n"), 8, "3 0 1 2 9\n");
   const Outcome outcome = ReadFrom(ReadPly, text);
   EXPECT_EQ(outcome.warnings,
-    "lambent: warning: numbers left over on a line are ignored, since an element has a line of its "
-    "own; it has 3 of them, the first in line 11\n");
+    "lambent: warning: numbers left over on a line are ignored, since each element has its own "
+    "line; it has 3 of them, the first in line 11\n");
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
   EXPECT_EQ(PointsOf(outcome), PointsOf(ReadFrom(ReadPly, Text)));
 }
@@ -199,7 +199,7 @@ TEST(ReadPly, DataLeftOverAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
-    "lambent: warning: ignored 6 bytes behind the last element that its header names\n");
+    "lambent: warning: ignored 6 bytes after the last element that its header names\n");
   EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
   const std::string binary =
@@ -207,9 +207,9 @@ TEST(ReadPly, DataLeftOverAtTheEnd)
     "property char y\nproperty char z\nend_header\nabc";
   EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "d").warnings,
-    "lambent: warning: ignored 1 byte behind the last element that its header names\n");
+    "lambent: warning: ignored 1 byte after the last element that its header names\n");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
-    "lambent: warning: ignored 2 bytes behind the last element that its header names\n");
+    "lambent: warning: ignored 2 bytes after the last element that its header names\n");
 }
 
 TEST(ReadPly, EmptyFacesKeepTheirIds)
@@ -223,7 +223,7 @@ TEST(ReadPly, WhatIsNoNumberIsNamedWithItsLine)
 {
   std::string text = Text;
   text.replace(text.find("1 1 0.1"), 7, "1 one 0");
-  EXPECT_EQ(ReadFrom(ReadPly, text).failure, "line 12: 'one' where a number is due");
+  EXPECT_EQ(ReadFrom(ReadPly, text).failure, "line 12: found 'one' where a number is expected");
 }
 
 TEST(ReadPly, NormalsAreThoseOfTheVerticesThatAreRead)

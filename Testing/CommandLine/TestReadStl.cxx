@@ -145,29 +145,31 @@ TEST(ReadStl, TextWithMoreCorners)
 TEST(ReadStl, TextThatGoesOn)
 {
   ExpectSquare(Square + "\nThat is all.\n",
-    "lambent: warning: line 18 and all behind it are ignored; they are in no solid\n");
+    "lambent: warning: line 18 and everything after it are ignored, outside of any solid\n");
 }
 
 TEST(ReadStl, TextThatIsNotWhole)
 {
   ExpectFailure(Square.substr(0, Square.find("endsolid")),
-    "line 16: it is cut short: it ends where 'facet' or 'endsolid' is due");
+    "line 16: it is cut short: it ends where 'facet' or 'endsolid' is expected");
   ExpectFailure(Square.substr(0, Square.find("vertex 1 1")),
-    "line 6: it is cut short: it ends where 'vertex' is due");
+    "line 6: it is cut short: it ends where 'vertex' is expected");
   ExpectFailure(
-    Square.substr(0, Square.find("vertex 1 1") + 10), "line 6: it ends where a number is due");
+    Square.substr(0, Square.find("vertex 1 1") + 10), "line 6: it ends where a number is expected");
   ExpectFailure(
-    Replaced(Square, "vertex 1 0 0", "vertex 1 0"), "line 5: it ends where a number is due");
+    Replaced(Square, "vertex 1 0 0", "vertex 1 0"), "line 5: it ends where a number is expected");
+  ExpectFailure(Replaced(Square, "vertex 1 0 0", "vertex 1 o 0"),
+    "line 5: found 'o' where a number is expected");
+  ExpectFailure(Replaced(Square, "vertex 1 0 0", "vertex 1 0 0 0"),
+    "line 5: found '0' where 'vertex' is expected");
+  ExpectFailure(Replaced(Square, "      vertex 1 0 0\n", ""),
+    "line 6: found 'endloop' where 'vertex' is expected");
   ExpectFailure(
-    Replaced(Square, "vertex 1 0 0", "vertex 1 o 0"), "line 5: 'o' where a number is due");
+    Replaced(Square, "  endfacet\n", ""), "line 8: found 'facet' where 'endfacet' is expected");
   ExpectFailure(
-    Replaced(Square, "vertex 1 0 0", "vertex 1 0 0 0"), "line 5: '0' where 'vertex' is due");
-  ExpectFailure(
-    Replaced(Square, "      vertex 1 0 0\n", ""), "line 6: 'endloop' where 'vertex' is due");
-  ExpectFailure(Replaced(Square, "  endfacet\n", ""), "line 8: 'facet' where 'endfacet' is due");
-  ExpectFailure(Replaced(Square, "outer loop", "loop"), "line 3: 'loop' where 'outer loop' is due");
-  ExpectFailure(
-    Replaced(Square, "  facet", "  facett"), "line 2: 'facett' where 'facet' or 'endsolid' is due");
+    Replaced(Square, "outer loop", "loop"), "line 3: found 'loop' where 'outer loop' is expected");
+  ExpectFailure(Replaced(Square, "  facet", "  facett"),
+    "line 2: found 'facett' where 'facet' or 'endsolid' is expected");
 }
 
 TEST(ReadStl, Binary)
@@ -190,7 +192,7 @@ TEST(ReadStl, BinaryCutBehindEachByte)
     }
   }
   ExpectFailure(Binary().substr(0, 84 + 99),
-    "it is cut short or not an STL file: it is too short for the 2 triangles that it promises; get "
+    "it is cut short or not an STL file: it is too short for the 2 triangles that it declares; get "
     "a whole copy of it");
   ExpectFailure("no mesh",
     "it is cut short or not an STL file: it is too short for a header; get a whole copy of it");
@@ -205,7 +207,7 @@ TEST(ReadStl, BinaryWithAWrongCount)
     "lambent: warning: the number of triangles in its header is 1, but there are 2; all of them "
     "are read\n");
   EXPECT_NE(Read(Binary("", 0xffffffff)).failure.find("4294967295 triangles"), std::string::npos);
-  ExpectSquare(Binary() + "bye", "lambent: warning: ignored 3 bytes behind its last triangle\n");
+  ExpectSquare(Binary() + "bye", "lambent: warning: ignored 3 bytes after its last triangle\n");
 }
 
 TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)

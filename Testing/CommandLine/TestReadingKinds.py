@@ -131,23 +131,23 @@ class TestReadingKinds(CommandTest):
                          "line 2: 'nan' is not a finite number")
         text = make.stl_text(TETRAHEDRON)
         self.assertEqual(self.failure("wrong.stl", text.replace("vertex 2", "vertex two", 1)),
-                         "line 6: 'two' where a number is due")
+                         "line 6: found 'two' where a number is expected")
         self.assertEqual(self.failure("cut.stl", text[:text.rindex("vertex")]),
-                         "line 27: it is cut short: it ends where 'vertex' is due")
+                         "line 27: it is cut short: it ends where 'vertex' is expected")
 
     def test_what_is_left_out_is_counted(self):
         lines = self.warnings("few.obj", CORNERS + "f 1 2\nf 1 2 3\nf 3\n")
         self.assertEqual(lines, ["lambent: warning: 'few.obj': faces (f) of fewer than 3 points and "
-                                 "lines (l) of fewer than 2 are left out; it has 2 of them"])
+                                 "lines (l) of fewer than 2 are skipped; it has 2 of them"])
         faces = PLY_CORNERS % (PLY_FACES % 2)
         lines = self.warnings("more.ply", faces + "3 0 1 2 255 0 0\n3 1 3 2 255 0 0\n")
         self.assertEqual(lines, ["lambent: warning: 'more.ply': numbers left over on a line are "
-                                 "ignored, since an element has a line of its own; it has 6 of them, "
+                                 "ignored, since each element has its own line; it has 6 of them, "
                                  "the first in line 14"])
         self.assertEqual(self.read("picture.pnm"), self.picture(
             "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
         lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
-        self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes behind the last "
+        self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes after the last "
                                  "element that its header names"])
 
     def test_a_mere_missing_line_end_is_no_warning(self):

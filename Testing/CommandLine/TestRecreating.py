@@ -128,7 +128,7 @@ class TestRecreating(CommandTest):
         done = self.run_command("--recreate", "c.png", "-o", "b.png")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr.decode(), r"warning: 'c.png' was drawn under image contract 7, "
-                                               r"this is \d+; bits may differ")
+                                               r"but this version has \d+; bits may differ")
         self.succeed("--recreate", "c.png", "-o", "b.png", "--quiet")
 
     def test_bad_texts(self):
@@ -141,7 +141,7 @@ class TestRecreating(CommandTest):
                           self.fail_with(1, "--recreate", "c.png", "-o", "b.png"), value)
         for key in (CONTRACT, COMMAND_KEY):
             self.write("c.png", with_text(drawn, key, None))
-            self.assertIn("does not tell", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
+            self.assertIn("does not record", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.write("c.png", drawn[:-20])
         self.assertIn("cut short", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.assertIn("no such file", self.fail_with(1, "--recreate", "none.png"))

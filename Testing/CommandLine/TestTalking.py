@@ -113,8 +113,8 @@ class TestTalking(CommandTest):
                  said + " with --shading flat; leave one of them out\n"),
                 (("square.obj", "--shading", "unlit", *angle),
                  said + " with --shading unlit; leave one of them out\n"),
-                (("cubes.vtk", "--contour", "0.5", *angle), said + ": the contour has normals of "
-                 "its own, from the array's gradient; leave it out\n")):
+                (("cubes.vtk", "--contour", "0.5", *angle), said + ": the contour has its own "
+                 "normals, from the array's gradient; leave it out\n")):
             done = self.run_command(*arguments, *picture)
             self.assertEqual((done.returncode, done.stderr.decode()), (0, expected))
             self.succeed(*arguments, *picture, "--quiet")

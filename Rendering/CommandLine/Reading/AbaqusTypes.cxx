@@ -51,7 +51,7 @@ ElementShape SolidShape(std::int64_t nodes)
   }
 }
 
-/// The number behind the family; 0 if the name is of another one.
+/// The number of nodes after the family's name; 0 if the type belongs to another family.
 std::int64_t NodesBehind(const std::string& family, const std::string& name)
 {
   std::int64_t nodes = 0;
@@ -60,7 +60,7 @@ std::int64_t NodesBehind(const std::string& family, const std::string& name)
   {
     ReadInteger(digits, nodes);
   }
-  return name == "STRI65" ? 6 : nodes; // 5 degrees of freedom a node
+  return name == "STRI65" ? 6 : nodes; // the 5 counts degrees of freedom per node
 }
 
 } // namespace

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the types of elements that Abaqus names
+ * @brief Abaqus element types
  *
- * A name is a family, the number of nodes, and letters for what does not matter to
- * a picture: C3D8R is a hexahedron of the family C3D with reduced integration.
+ * A name consists of a family, the number of nodes, and letters that do not matter for a picture:
+ * C3D8R is a hexahedron of the family C3D with reduced integration.
  */
 
 #ifndef AbaqusTypes_h
@@ -21,10 +21,10 @@ namespace lambent::command
 struct AbaqusType
 {
   int nodes = 0;
-  ElementShape shape; ///< with no corners if the type is not drawn
+  ElementShape shape; ///< has no corners if the type is not drawn
 };
 
-/// The name is in capitals.
+/// `name` must be in capitals.
 AbaqusType FindAbaqusType(const std::string& name);
 
 } // namespace lambent::command

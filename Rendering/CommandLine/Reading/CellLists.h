@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief points and cells as readers of text gather them, and the arrays of VTK made of them
+ * @brief lists of cells as the text readers collect them, and their conversion to VTK arrays
  */
 
 #ifndef CellLists_h
@@ -20,18 +20,18 @@ class vtkCellArray;
 namespace lambent::command
 {
 
-/// Lists of point ids one after the other: list i is from offsets[i] to offsets[i + 1].
+/// Consecutive lists of point ids: list i starts at offsets[i] and ends before offsets[i + 1].
 struct CellLists
 {
   std::vector<std::int64_t> offsets{ 0 };
   std::vector<std::int32_t> points;
 
   std::size_t size() const { return this->offsets.size() - 1; }
-  /// Ends the list that the points behind the last offset make up.
+  /// Ends the list of the points after the last offset.
   void EndCell() { this->offsets.push_back(static_cast<std::int64_t>(this->points.size())); }
 };
 
-/// With ids of 32 bits, which take half the room, where they can count the points of all cells.
+/// Uses 32-bit ids, which take half the memory, if they can count the points of all cells.
 vtkSmartPointer<vtkCellArray> MakeCellArray(const CellLists& cells);
 
 template <typename Array, typename Value>

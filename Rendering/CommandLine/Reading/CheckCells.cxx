@@ -25,7 +25,7 @@ namespace lambent::command
 namespace
 {
 
-/// Whether isRight(begin, end) for all parts of a range.
+/// Whether isRight(begin, end) holds for all parts of a range. The parts run in parallel.
 template <typename Check>
 bool IsRight(vtkIdType count, const Check& isRight)
 {
@@ -50,7 +50,7 @@ bool AreOffsetsSound(const Value* offsets, vtkIdType last, vtkIdType ids)
       last, [offsets](vtkIdType begin, vtkIdType end) { return DoIncrease(offsets, begin, end); });
 }
 
-/// Whether all ids are from 0 to less than the number of points.
+/// Whether all ids are in [0, numberOfPoints).
 template <typename Value>
 bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
 {
@@ -71,16 +71,17 @@ bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
     { cell = std::upper_bound(starts, starts + offsets, at) - starts - 1; });
   throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
     std::to_string(id) + ", which does not exist: the file has " + std::to_string(numberOfPoints) +
-    " points, from 0 on; correct it in the program that writes the file, or get a whole copy");
+    " points, numbered from 0; correct it in the program that writes the file, or get a whole "
+    "copy");
 }
 
-/// What is expected of the points of a cell.
+/// The number of points that a type of cell must have.
 struct Points
 {
-  bool IsKnown = false;  ///< there is such a type
-  vtkIdType Exactly = 0; ///< if this is not 0
-  bool IsEven = false;   ///< corners, and as many nodes between them
-  bool IsLooked = false; ///< this has been looked up
+  bool IsKnown = false;  ///< VTK has this type
+  vtkIdType Exactly = 0; ///< the exact number; 0: any
+  bool IsEven = false;   ///< as many mid-edge nodes as corners
+  bool IsLooked = false; ///< this entry has been filled in
 };
 
 Points PointsOfType(int type)
@@ -104,12 +105,12 @@ void CheckCount(const Points& points, vtkIdType count, vtkIdType cell, int type)
   if (!points.IsKnown)
   {
     throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
-      " points, and there is no such type" + CorrectCell);
+      " points, but there is no such type" + CorrectCell);
   }
   if (points.Exactly > 0 && points.Exactly != count)
   {
-    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) + " points and not " +
-      std::to_string(points.Exactly) + CorrectCell);
+    throw Failure(CellWithType(cell, type) + " has " + std::to_string(count) +
+      " points instead of " + std::to_string(points.Exactly) + CorrectCell);
   }
   if (points.IsEven && (count % 2 != 0 || count < 6))
   {
@@ -134,8 +135,8 @@ void CheckOffsets(vtkCellArray* cells, const char* word)
   }
   if (!isSound)
   {
-    throw Failure("it is broken: where each " + std::string(word) +
-      " begins in the list of their points does not add up; get a whole copy of it");
+    throw Failure("it is broken: its " + std::string(word) +
+      " offsets are inconsistent; get a whole copy of it");
   }
 }
 

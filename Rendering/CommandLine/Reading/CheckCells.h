@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether the cells that were read can be worked with
+ * @brief checks cells read from a file
  *
- * Whoever uses cells relies on their point ids and on their number of points;
- * those that come from a file may be anything.
+ * Code that uses cells relies on their point ids and their number of points, but a file may hold
+ * any values.
  */
 
 #ifndef CheckCells_h
@@ -19,14 +19,14 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// Throws Failure unless the points of each cell are a part of the list of ids.
+/// Throws Failure unless the offsets of the cells increase from 0 to the number of point ids.
 void CheckOffsets(vtkCellArray* cells, const char* word = "cell");
 
-/// Also unless every cell names points that exist. The message calls a cell by `word`.
+/// Also requires that every cell names existing points. The message calls a cell `word`.
 void CheckCells(vtkCellArray* cells, vtkIdType numberOfPoints, const char* word = "cell");
 
-/// Also unless each is of a type that VTK knows, and has as many points as that type has, and the
-/// faces of each polyhedron are whole.
+/// Also requires that every cell has a type known to VTK and the number of points of that type, and
+/// that the faces of polyhedra are valid.
 void CheckCells(vtkUnstructuredGrid* grid);
 
 } // namespace lambent::command

@@ -25,7 +25,7 @@ struct Variable
   int components;
 };
 
-/// What a case file names.
+/// The files named by a case file.
 struct Case
 {
   bool isGold = false;
@@ -38,8 +38,8 @@ bool IsNumber(const std::string& word)
   return std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
-/// From a line such as "scalar per node: pressure file", perhaps with the numbers of a time set
-/// and a file set before the name.
+/// Parses a line such as "scalar per node: pressure file". The name may follow the numbers of a
+/// time set and a file set.
 void AddVariable(Case& all, const std::vector<std::string>& words)
 {
   static const std::map<std::string, int> kinds{ { "scalar per ", 1 }, { "vector per ", 3 },
@@ -86,7 +86,7 @@ Case ReadCase(const std::string& path)
   return all;
 }
 
-/// Calls walk(file) unless there is no file of that name. False: it ends too early.
+/// Calls walk(file) if the file exists. Returns false if the file is truncated.
 template <typename Visit>
 bool IsWhole(const std::filesystem::path& path, EnSightEncoding encoding, Visit&& walk)
 {
@@ -116,7 +116,7 @@ std::vector<BrokenVariable> CheckEnSight(const std::string& casePath)
   const auto folder = std::filesystem::path(casePath).parent_path();
   const std::string geometry = (folder / all.geometry).string();
   const EnSightEncoding encoding = EncodingOfEnSight(geometry);
-  const auto isOneOfMany = [](const std::string& name) // one a time step
+  const auto isOneOfMany = [](const std::string& name) // a file for each time step
   { return name.find('*') != std::string::npos; };
   if (!all.isGold || isOneOfMany(all.geometry) || encoding == EnSightEncoding::Other)
   {
@@ -128,7 +128,7 @@ std::vector<BrokenVariable> CheckEnSight(const std::string& casePath)
         {
           if (encoding == EnSightEncoding::Binary)
           {
-            file.TakeDescription(); // that it is binary
+            file.TakeDescription(); // "C Binary"
           }
           parts = WalkEnSightGeometry(file);
         }))

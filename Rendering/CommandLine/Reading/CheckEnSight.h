@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether the files of an EnSight case are all there
+ * @brief checks that the files of an EnSight case are complete
  *
- * VTK's reader says nothing of a file that is cut short, and fills in what it likes. Here each is
- * gone through once, by the counts in it: files of EnSight Gold, in text and C binary, that are
- * not numbered by time. A file that ends between two parts or before its elements cannot be told
- * from a whole one. Where something is not understood, it is left to the reader.
+ * VTK's reader does not report truncated files and fills in arbitrary values. This check walks
+ * through each file once, by the counts in it. It covers EnSight Gold files, in text and C binary,
+ * that are not numbered by time. A file that ends between two parts or before its elements looks
+ * complete. Unknown content is left to VTK's reader.
  *
  * Reference: "EnSight User Manual", chapter 9.1, EnSight Gold Casefile Format, Ansys.
  */
@@ -23,13 +23,13 @@ namespace lambent::command
 
 struct BrokenVariable
 {
-  bool isAtPoints; ///< not at the elements
+  bool isAtPoints; ///< false: at the elements
   std::string name;
   std::string file;
 };
 
-/// Throws Failure if the geometry file of the case is cut short. Returns the variables whose
-/// files are.
+/// Throws Failure if the geometry file of the case is truncated. Returns the variables whose files
+/// are truncated.
 std::vector<BrokenVariable> CheckEnSight(const std::string& casePath);
 
 } // namespace lambent::command

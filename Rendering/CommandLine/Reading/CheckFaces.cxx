@@ -32,7 +32,8 @@ void CheckPoint(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType id)
   {
     FailForFaces(cell,
       " has a face that names point " + std::to_string(id) +
-        ", which does not exist: the file has " + std::to_string(points) + " points, from 0 on");
+        ", which does not exist: the file has " + std::to_string(points) +
+        " points, numbered from 0");
   }
 }
 
@@ -40,7 +41,7 @@ void CheckPoint(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType id)
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 
-/// The faces are cells of their own, and each polyhedron a list of them.
+/// The faces form a cell array, and each polyhedron is a list of ids in it.
 void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkCellArray* const faces = grid->GetPolyhedronFaces();
@@ -69,8 +70,8 @@ void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 
 #else
 
-/// From where the polyhedron begins in the list of faces, there is the number of them, and then of
-/// each the number of its points, and these.
+/// At the polyhedron's location, the list of faces holds the number of faces, then for each face
+/// the number of points and the point ids.
 void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   vtkIdTypeArray* const faces = grid->GetFaces();
@@ -86,7 +87,7 @@ void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
     vtkIdType points = at < size ? faces->GetValue(at++) : -1;
     if (points < 0 || points > size - at)
     {
-      FailForFaces(cell, " has faces that do not add up");
+      FailForFaces(cell, " has inconsistent faces");
     }
     for (; points > 0; --points)
     {

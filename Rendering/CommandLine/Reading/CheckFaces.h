@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether the faces of a polyhedron can be worked with
+ * @brief checks the faces of a polyhedron
  */
 
 #ifndef CheckFaces_h
@@ -15,7 +15,7 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// Throws Failure unless this cell, a polyhedron, has faces, and these name points that exist.
+/// Throws Failure unless this cell, a polyhedron, has faces and they name existing points.
 void CheckFaces(vtkUnstructuredGrid* grid, vtkIdType cell);
 
 } // namespace lambent::command

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what keeps a file from being read
+ * @brief checks that a file can be opened and read
  */
 
 #ifndef CheckFile_h
@@ -13,7 +13,8 @@
 namespace lambent::command
 {
 
-/// Throws Failure unless there is a regular file that may be read, with something in it.
+/// Throws Failure unless the path is a readable regular file. It must not be empty unless
+/// `mayBeEmpty` is true.
 void CheckFile(const std::string& path, bool mayBeEmpty = false);
 
 } // namespace lambent::command

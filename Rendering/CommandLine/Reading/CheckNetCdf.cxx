@@ -27,7 +27,7 @@ constexpr std::uint64_t Attributes = 12;
     "it");
 }
 
-/// Goes through the header of a classic file, whose numbers have their highest byte first.
+/// Walks through the header of a classic file, whose numbers are big-endian.
 class NetCdfHeader
 {
 public:
@@ -45,7 +45,7 @@ public:
     if (std::string(magic, 3) != "CDF" ||
       (this->Version != 1 && this->Version != 2 && this->Version != 5))
     {
-      return; // HDF5, or no NetCDF file at all, which the reader tells
+      return; // HDF5, or not a NetCDF file, which the reader reports
     }
     const std::uint64_t records = this->TakeCount();
     this->TakeDimensions();
@@ -90,7 +90,7 @@ private:
 
   std::uint64_t TakeCount() { return this->Take(this->Version == 5 ? 8 : 4); }
 
-  /// A list has a tag and a count; an absent one has zeros.
+  /// A list starts with a tag and a count; both are zero for an absent list.
   std::uint64_t TakeList(std::uint64_t tag)
   {
     const std::uint64_t found = this->Take(4);
@@ -144,7 +144,7 @@ private:
     }
   }
 
-  /// Judges what is not in records, and returns the size of a record.
+  /// Checks the variables outside of records and returns the size of a record.
   std::uint64_t TakeVariables()
   {
     const std::uint64_t count = this->TakeList(Variables);
@@ -164,12 +164,12 @@ private:
           FailCut();
         }
         const std::uint64_t length = this->Lengths[dimension];
-        isRecord |= axis == 0 && length == 0; // the one of unlimited length
+        isRecord |= axis == 0 && length == 0; // the dimension of unlimited length
         size *= axis == 0 && length == 0 ? 1.0 : static_cast<double>(length);
       }
       this->SkipAttributes();
       size *= static_cast<double>(this->TakeTypeSize());
-      this->TakeCount(); // the size again, which is wrong for large variables
+      this->TakeCount(); // the stored size, which is wrong for large variables
       const std::uint64_t begin = this->Take(this->Version == 1 ? 4 : 8);
       if (!isRecord)
       {
@@ -180,7 +180,7 @@ private:
       this->Records.push_back({ begin, static_cast<std::uint64_t>(size) });
       recordSize += (static_cast<std::uint64_t>(size) + 3) / 4 * 4;
     }
-    // One variable alone is not filled up to four bytes.
+    // A single record variable is not padded to four bytes.
     return this->Records.size() == 1 ? this->Records.front().size : recordSize;
   }
 
@@ -194,7 +194,7 @@ private:
   std::uint64_t FileSize;
   int Version = 0;
   std::vector<std::uint64_t> Lengths;
-  std::vector<Record> Records; ///< variables with a value for each time
+  std::vector<Record> Records; ///< variables with values for each time step
 };
 
 } // namespace

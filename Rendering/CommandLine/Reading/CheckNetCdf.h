@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief keep the Exodus reader from NetCDF files that are cut short
+ * @brief rejects truncated NetCDF files before the Exodus reader reads them
  *
- * The NetCDF library reads zeros where a file of the classic format ends too
- * early. But its header says where each variable begins and how large it is.
- * Files of the newer format, which is HDF5, are checked by that library.
+ * The NetCDF library reads zeros past the end of a truncated file in the classic format. The header
+ * says where each variable begins and how large it is. Files in the newer format, HDF5, are checked
+ * by the HDF5 library.
  *
  * Reference: "The NetCDF Classic Format Specification", Unidata.
  */
@@ -19,8 +19,8 @@
 namespace lambent::command
 {
 
-/// Throws Failure if the file is a classic NetCDF file and shorter than its header says, or if the
-/// header makes no sense.
+/// Throws Failure if the file is a classic NetCDF file and is shorter than its header says or has
+/// an invalid header.
 void CheckNetCdf(const std::string& path);
 
 } // namespace lambent::command

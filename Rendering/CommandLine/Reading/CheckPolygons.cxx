@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-/// Appends "1 line" or "3 lines" to the list; nothing for none.
+/// Appends "1 line" or "3 lines" to the list; appends nothing if the count is 0.
 void List(
   std::vector<std::string>& list, vtkIdType count, const std::string& noun, const char* what = "")
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how many triangles a mesh is drawn as, and a warning if there are none
+ * @brief counts the triangles of a mesh, and warns if there are none
  */
 
 #ifndef CheckPolygons_h
@@ -16,11 +16,11 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// A polygon or strip of n points is n - 2 triangles; one of fewer than 3 points is none.
+/// A polygon or strip of n points has n - 2 triangles, and none if n < 3.
 vtkIdType CountTriangles(vtkPolyData* mesh);
 
-/// Warns if there are none: nothing of the mesh will be seen. Says what there is instead. The data
-/// are those that the mesh is the surface of: a surface has not all of their points.
+/// Warns if the mesh has no triangles, since nothing of it will be visible, and says what it holds
+/// instead. `data` is the data set whose surface the mesh is; it may have more points.
 void CheckPolygons(vtkPolyData* mesh, vtkDataObject* data);
 
 } // namespace lambent::command

@@ -29,7 +29,7 @@ std::string Attribute(vtkXMLDataElement* element, const char* name)
   return value ? value : "";
 }
 
-/// Also reads the last offset of each list of cells.
+/// Also checks the last offset of each list of cells.
 class OffsetsParser : public CheckedXmlParser
 {
 public:
@@ -60,7 +60,7 @@ private:
     }
   }
 
-  /// Of the offsets of Polys, say, there are as many as the piece has in NumberOfPolys.
+  /// The piece's NumberOfPolys, for example, is the number of offsets of Polys.
   void CheckLastOffset(vtkXMLDataElement* array)
   {
     vtkXMLDataElement* const cells = array->GetParent();
@@ -87,7 +87,7 @@ private:
       if (!this->CanHold(number->GetComponent(0, 0)))
       {
         throw Failure("it is cut short or broken: the last offset of '" +
-          std::string(cells->GetName()) + "' cannot be; get a whole copy of it");
+          std::string(cells->GetName()) + "' is impossible; get a whole copy of it");
       }
     }
   }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief look over the sizes in an XML file of VTK before another reads it
+ * @brief checks the sizes in a VTK XML file before it is read
  *
- * The checks of CheckedXmlParser.h, and that of the last offset of each list of
- * cells, in a pass of their own. It costs up to twice as much as to read the
- * file. Where a reader can be derived from, CheckedXmlReader.h does the same
- * within the reading.
+ * A separate pass makes the checks of CheckedXmlParser.h and checks the last offset of each list of
+ * cells. It costs up to twice as much as reading the file. For readers that can be derived from,
+ * CheckedXmlReader.h makes the same checks while reading.
  */
 
 #ifndef CheckXml_h
@@ -18,8 +17,8 @@
 namespace lambent::command
 {
 
-/// Throws Failure if an array in the file is cut short or has sizes that cannot be. What cannot
-/// be parsed at all is left to the reader, which says so.
+/// Throws Failure if an array in the file is truncated or has impossible sizes. The reader reports
+/// files that cannot be parsed.
 void CheckXml(const std::string& path);
 
 } // namespace lambent::command

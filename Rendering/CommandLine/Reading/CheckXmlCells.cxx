@@ -15,7 +15,7 @@ namespace lambent::command
 namespace
 {
 
-/// Offsets of faces are -1 for cells without any.
+/// The last offset that is not -1. Face offsets are -1 for cells without faces.
 double LastOffset(vtkDataArray* offsets)
 {
   for (vtkIdType k = offsets->GetNumberOfTuples() - 1; k >= 0; --k)
@@ -34,13 +34,13 @@ double LastOffset(vtkDataArray* offsets)
 void XmlCellsCheck::Check(
   const std::string& name, vtkDataArray* values, const CheckedXmlParser& parser)
 {
-  const std::string end = "offsets"; // of cells, "faceoffsets", and newer ones
+  const std::string end = "offsets"; // also "faceoffsets" and the newer names
   if (name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
   {
     if (!parser.CanHold(LastOffset(values)))
     {
       throw Failure("it is cut short or broken: the last value of '" + name +
-        "' cannot be; get a whole copy of it");
+        "' is impossible; get a whole copy of it");
     }
     if (name == "faceoffsets")
     {
@@ -53,8 +53,8 @@ void XmlCellsCheck::Check(
   }
 }
 
-/// Each polyhedron has the number of its faces; then of each face, the number of its points and
-/// these points.
+/// The list holds, for each polyhedron, the number of faces, then for each face the number of
+/// points and the point ids.
 void XmlCellsCheck::CheckFaces(vtkDataArray* faces) const
 {
   const vtkIdType size = faces->GetNumberOfTuples();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief keep VTK's XML readers from lists of cells that would make them crash
+ * @brief rejects lists of cells that would crash VTK's XML readers
  *
- * They take memory for as many point ids as the last offset says, follow the
- * numbers in the faces of polyhedra wherever they lead, and sort the nodes of
- * hexahedra from files older than version 2.1 without asking how many there
- * are. Each of these is checked between the reading of an array and its use.
+ * The readers allocate memory for as many point ids as the last offset says, follow the counts in
+ * the faces of polyhedra without bounds checks, and sort the nodes of hexahedra from files older
+ * than version 2.1 without checking how many there are. Each of these is checked after an array has
+ * been read and before it is used.
  */
 
 #ifndef CheckXmlCells_h
@@ -28,11 +28,11 @@ class CheckedXmlParser;
 class XmlCellsCheck
 {
 public:
-  /// Call when an array of that name has been read. Throws Failure if it cannot be used.
+  /// Call after an array of that name has been read. Throws Failure if it is invalid.
   void Check(const std::string& name, vtkDataArray* values, const CheckedXmlParser& parser);
 
-  /// Call when the types of the last cells of a grid have been read from a file whose hexahedra
-  /// VTK will sort. Throws Failure if they have nodes that cannot be sorted.
+  /// Call after the types of the last cells of a grid have been read from a file whose hexahedra
+  /// VTK will sort. Throws Failure if their nodes cannot be sorted.
   static void CheckOldHexahedra(vtkUnstructuredGrid* grid, vtkDataArray* types);
 
 private:

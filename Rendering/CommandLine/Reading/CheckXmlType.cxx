@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-/// How the names of files of each type end.
+/// The extension for each type of file.
 constexpr std::pair<const char*, const char*> Endings[] = { { "PolyData", ".vtp" },
   { "UnstructuredGrid", ".vtu" }, { "ImageData", ".vti" }, { "RectilinearGrid", ".vtr" },
   { "StructuredGrid", ".vts" }, { "vtkMultiBlockDataSet", ".vtm" }, { "PPolyData", ".pvtp" },
@@ -35,7 +35,7 @@ std::string Remedy(const std::string& type)
   {
     return std::string("; rename it so that its name ends in ") + known->second;
   }
-  return "; such files are not read: save its surface as a .vtp file, with ParaView for instance";
+  return "; such files cannot be read: save its surface as a .vtp file, for instance with ParaView";
 }
 
 std::string TypeOf(vtkXMLDataElement* root)
@@ -59,13 +59,13 @@ void CheckXmlType(vtkXMLDataElement* root, const std::string& expected)
   if (std::string(root->GetName()) != "VTKFile")
   {
     throw Failure("it is not a VTK file: its XML begins with <" + std::string(root->GetName()) +
-      ">; name it after the kind that it is of");
+      ">; give its name the extension of its format");
   }
   if (type == expected)
   {
     throw Failure("it has no element <" + expected + ">; get a whole copy of it");
   }
-  throw Failure("it holds " + type + " and not " + expected + Remedy(type));
+  throw Failure("it holds " + type + " instead of " + expected + Remedy(type));
 }
 
 void CheckVtkStart(const std::string& path, bool expectsXml)
@@ -85,8 +85,8 @@ void CheckVtkStart(const std::string& path, bool expectsXml)
     const std::size_t from = start.find(mark, root);
     const std::size_t begin = from == std::string::npos ? start.size() : from + mark.size();
     const std::string type = start.substr(begin, start.find('"', begin) - begin);
-    throw Failure("it is an XML file of VTK's that holds " + (type.empty() ? "something" : type) +
-      Remedy(type));
+    throw Failure(
+      "it is a VTK XML file that holds " + (type.empty() ? "something" : type) + Remedy(type));
   }
 }
 

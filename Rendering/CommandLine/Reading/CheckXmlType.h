@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether a VTK file holds what its name tells
+ * @brief checks that the content of a VTK file matches its extension
  */
 
 #ifndef CheckXmlType_h
@@ -15,12 +15,11 @@ class vtkXMLDataElement;
 namespace lambent::command
 {
 
-/// Throws Failure if there is no element of the type that is expected, such as "PolyData", in
-/// the root of an XML file. It says which type there is and how such a file has to be named.
+/// Throws Failure if the root of an XML file has no element of the expected type, such as
+/// "PolyData". The message names the type found and the right extension.
 void CheckXmlType(vtkXMLDataElement* root, const std::string& expected);
 
-/// Throws Failure if a file that is named like an XML file of VTK's begins as a legacy file, or
-/// the other way round.
+/// Throws Failure if a legacy file has the extension of a VTK XML file, or the other way round.
 void CheckVtkStart(const std::string& path, bool expectsXml);
 
 } // namespace lambent::command

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what a reader of VTK's that checks what it reads has to say
+ * @brief base of the readers that check a file while VTK reads it
  *
- * VTK's readers trust counts and indices in a file, and crash where they are
- * wrong. Checking a file before it is read means to parse it twice; so the
- * readers derived from VTK's check each count right before it is used. A
- * Failure must not pass through VTK's pipeline: it is kept here instead.
+ * VTK's readers trust the counts and indices in a file and crash if they are wrong. Checking a file
+ * before it is read would parse it twice. Therefore readers derived from VTK's check each count
+ * just before it is used. A Failure must not propagate through VTK's pipeline, so its text is kept
+ * here.
  */
 
 #ifndef CheckedReader_h
@@ -24,7 +24,7 @@ class CheckedReader
 public:
   virtual ~CheckedReader() = default;
 
-  /// Why the reader has stopped; empty if nothing it checked was wrong.
+  /// Why the reader stopped; empty if all checks passed.
   const std::string& GetFailure() const { return this->FailureText; }
 
 protected:
@@ -37,7 +37,7 @@ protected:
       check();
       return true;
     }
-    catch (const std::exception& reason) // a Failure, or too little memory
+    catch (const std::exception& reason) // a Failure, or out of memory
     {
       if (this->FailureText.empty())
       {

@@ -17,10 +17,10 @@ namespace lambent::command
 namespace
 {
 
-/// None of VTK's compressors packs more than this many bytes into one.
+/// None of VTK's compressors has a higher ratio.
 constexpr std::uint64_t LargestRatio = 1 << 16;
 
-/// The readers look for a name of each component.
+/// A limit, because the readers look up a name for each component.
 constexpr vtkTypeInt64 MostComponents = 1 << 16;
 
 std::string Attribute(vtkXMLDataElement* element, const char* name)
@@ -32,7 +32,7 @@ std::string Attribute(vtkXMLDataElement* element, const char* name)
 [[noreturn]] void Fail(vtkXMLDataElement* element, const std::string& what)
 {
   throw Failure("it is cut short or broken: " + what + " of '" + element->GetName() + " " +
-    Attribute(element, "Name") + "' cannot be; get a whole copy of it");
+    Attribute(element, "Name") + "' is impossible; get a whole copy of it");
 }
 
 } // namespace
@@ -53,7 +53,7 @@ bool CheckedXmlParser::CanHold(double count) const
 
 bool CheckedXmlParser::IsRaw(vtkXMLDataElement* array) const
 {
-  // Streams that decode are derived from that.
+  // Decoding streams are of derived classes.
   return array->GetAttribute("offset") && !this->Compressor &&
     std::string(this->AppendedDataStream->GetClassName()) == "vtkInputStream";
 }
@@ -89,7 +89,7 @@ void CheckedXmlParser::CheckCounts(vtkXMLDataElement* piece)
   }
 }
 
-/// An array is appended, at an offset, or binary where it stands, or text: as the readers have it.
+/// Decides as the readers do: an array is appended (it has an offset), inline binary, or text.
 void CheckedXmlParser::CheckHeader(vtkXMLDataElement* array)
 {
   vtkTypeInt64 offset = 0;
@@ -134,8 +134,9 @@ bool CheckedXmlParser::ReadWords(Words& words)
   return isThere;
 }
 
-/// The header is the size; or the number of blocks, their size, that of the last one if it is
-/// smaller or else 0, and then how many bytes each is compressed to.
+/// Without compression the header is the size in bytes. With compression it holds the number of
+/// blocks, the size of a block, the size of the last block if that is smaller (else 0), and the
+/// compressed size of each block.
 template <typename Word>
 bool CheckedXmlParser::IsHeaderSound()
 {
@@ -167,7 +168,7 @@ bool CheckedXmlParser::IsHeaderSound()
     }
     left -= block;
   }
-  // With these, the products and sums of vtkXMLDataParser do not overflow.
+  // Within these bounds, the products and sums in vtkXMLDataParser do not overflow.
   return size > 0 && lastSize <= size && size <= LargestRatio * LargestRatio;
 }
 

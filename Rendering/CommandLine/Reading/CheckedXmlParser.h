@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief keep VTK's XML readers from sizes that would make them crash
+ * @brief rejects sizes that would crash VTK's XML readers
  *
- * VTK's readers believe three kinds of sizes in a file. In front of compressed
- * data stands how many blocks there are and how large they are; where these do
- * not fit each other, vtkXMLDataParser reads beyond its list of blocks or divides
- * by zero. For the counts of a piece, and for as many point ids as the last
- * offset of its cells says, memory is allocated; if they are so large that the
- * number of bytes overflows, it is too little. This parser checks the first two
- * once the elements are known; CheckXmlCells.h checks the offsets.
+ * VTK's readers trust three kinds of sizes in a file:
+ * 1. The header of compressed data gives the number and the size of the blocks. If they are
+ *    inconsistent, vtkXMLDataParser reads beyond its list of blocks or divides by zero.
+ * 2. The counts of a piece determine how much memory is allocated.
+ * 3. So does the last offset of its cells, which is the number of point ids.
+ * If a count is so large that the number of bytes overflows, too little memory is allocated. This
+ * parser checks the first two kinds once the elements are parsed; CheckXmlCells.h checks the
+ * offsets.
  */
 
 #ifndef CheckedXmlParser_h
@@ -29,14 +30,14 @@ public:
   static CheckedXmlParser* New();
   vtkTypeMacro(CheckedXmlParser, vtkXMLDataParser)
 
-  /// Throws Failure if an array of the parsed file is cut short or has sizes that cannot be.
+  /// Throws Failure if an array of the parsed file is truncated or has impossible sizes.
   void Check(std::uint64_t fileSize);
 
-  /// Whether a file of the size that Check() was given can hold so many numbers.
+  /// Whether a file of the size given to Check() can hold this many numbers.
   bool CanHold(double count) const;
 
-  /// Whether the values of an array are in the file as in memory, so that any of them can be read
-  /// without those before.
+  /// Whether the array is stored as it is in memory, so that any part of it can be read without the
+  /// values before.
   bool IsRaw(vtkXMLDataElement* array) const;
 
 protected:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief one of VTK's XML readers that checks sizes as it meets them
+ * @brief a VTK XML reader that checks sizes while it reads
  */
 
 #ifndef CheckedXmlReader_h
@@ -30,7 +30,7 @@
 namespace lambent::command
 {
 
-/// Reader is any class of VTK's that is derived from vtkXMLDataReader.
+/// Reader is any VTK class derived from vtkXMLDataReader.
 template <typename Reader>
 class CheckedXmlReader
   : public Reader
@@ -44,7 +44,7 @@ protected:
   {
     this->Parser = CheckedXmlParser::New();
     this->Parser->AddObserver(vtkCommand::ProgressEvent, this->DataProgressObserver);
-    this->XMLParser = this->Parser; // which DestroyXMLParser() deletes
+    this->XMLParser = this->Parser; // DestroyXMLParser() deletes it
   }
 
   /// All elements have been parsed; no array has been read yet.
@@ -76,7 +76,7 @@ protected:
     this->Reader::ReadXMLData();
     if (this->NumberOfPieces != 1)
     {
-      return; // VTK has put the lists of the pieces together
+      return; // VTK has merged the lists of the pieces
     }
     if (auto* const mesh = vtkPolyData::SafeDownCast(this->GetCurrentOutput()))
     {
@@ -90,7 +90,7 @@ protected:
   }
 
 private:
-  /// The ids of cells, where their parts can be read one after the other.
+  /// Whether the element holds the point ids of cells and can be read in parts.
   bool IsListInParts(vtkXMLDataElement* element) const
   {
     const char* const name = element->GetAttribute("Name");
@@ -104,7 +104,7 @@ private:
     const auto inserted =
       this->Lists.try_emplace(element->GetParent()->GetName(), this->GetNumberOfPoints());
     ListCheck& list = inserted.first->second;
-    list.TrustOffsets(); // VTK goes through them before it reads the ids
+    list.TrustOffsets(); // VTK checks them before it reads the ids
     float range[2] = {};
     this->GetProgressRange(range);
     bool isRead = true;
@@ -139,7 +139,7 @@ private:
 
   CheckedXmlParser* Parser = nullptr;
   XmlCellsCheck CellsCheck;
-  std::map<std::string, ListCheck> Lists; ///< by the elements that they are in
+  std::map<std::string, ListCheck> Lists; ///< by the name of their element
 };
 
 } // namespace lambent::command

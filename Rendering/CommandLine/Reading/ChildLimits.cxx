@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LAMBENT_LIMIT_MEMORY 0 // the sanitizers' own maps are larger than any memory
+#define LAMBENT_LIMIT_MEMORY 0 // the sanitizers' own maps exceed any memory
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define LAMBENT_LIMIT_MEMORY 0
@@ -29,7 +29,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// The size of all files in a folder and below; nothing if there are too many.
+/// The total size of all files in a folder and its subfolders; empty if there are too many files.
 std::optional<std::uintmax_t> SizeOfFolder(const fs::path& folder)
 {
   constexpr int mostFiles = 10000;
@@ -59,7 +59,7 @@ std::uintmax_t MemoryOfMachine()
                    : 0;
 }
 
-/// What counts against RLIMIT_DATA already, as far as the system tells.
+/// The memory that already counts against RLIMIT_DATA; 0 if the system does not say.
 std::uintmax_t MemoryInUse()
 {
   std::uintmax_t pages[6] = {}; // size, resident, shared, text, lib, data
@@ -76,7 +76,7 @@ void Limit(int resource, std::uintmax_t most)
   rlimit limit;
   if (getrlimit(resource, &limit) == 0 && most < limit.rlim_cur)
   {
-    limit.rlim_cur = static_cast<rlim_t>(most); // the hard limit of CPU time would be a SIGKILL
+    limit.rlim_cur = static_cast<rlim_t>(most); // the hard limit of CPU time would raise SIGKILL
     setrlimit(resource, &limit);
   }
 }
@@ -111,7 +111,7 @@ void TakeLimits(const ChildLimits& limits)
   }
   if (LAMBENT_LIMIT_MEMORY && limits.memory > 0)
   {
-    // The stacks of threads count, too.
+    // The threads' stacks count too.
     const std::uintmax_t stacks =
       (std::uintmax_t{ 16 } << 20) * std::thread::hardware_concurrency();
     Limit(RLIMIT_DATA, MemoryInUse() + stacks + limits.memory);

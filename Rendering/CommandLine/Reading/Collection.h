@@ -4,9 +4,9 @@
  * @file
  * @brief files that name other files: pieces, blocks, time series
  *
- * VTK's readers of such files leave out what they cannot read. Here every part
- * goes the way of a file of its own, with the same checks, and a part that
- * cannot be read fails the whole. Names are relative to the file that has them.
+ * VTK's readers of such files skip the parts that they cannot read. Here every part is read with
+ * the same checks as a separate file, and reading fails if any part cannot be read. Names are
+ * relative to the file that contains them.
  */
 
 #ifndef Collection_h
@@ -20,12 +20,12 @@
 namespace lambent::command
 {
 
-/// The files that the <Piece> elements of a parallel XML file name. Throws Failure if there is
+/// The files named by the <Piece> elements of a parallel XML file. Throws Failure if there are
 /// none.
 std::vector<std::string> PiecesIn(const std::string& path, VtkMessages& messages);
 
-/// Reads a file that another one names, by `read`, or if it is null as its name tells. Throws
-/// Failure with the name of the part; also where files name each other in a circle.
+/// Reads a file that another one names, with `read`, or by its extension if `read` is null. Throws
+/// Failure with the name of the part, also if files name each other in a circle.
 vtkSmartPointer<vtkDataObject> ReadPart(const std::string& owner, const std::string& name,
   ReadFunction read, VtkMessages& messages, Progress& progress);
 

@@ -37,7 +37,7 @@ bool IsContourable(vtkDataArray* array)
     std::string(array->GetName()) != "vtkValidPointMask";
 }
 
-/// Calls visit(array, isOfPoints) for each array with a name and single values.
+/// Calls visit(array, isOfPoints) for each named array with one component.
 template <typename Visit>
 void ForEachArray(vtkDataSet* data, Visit visit)
 {
@@ -56,7 +56,7 @@ void ForEachArray(vtkDataSet* data, Visit visit)
   }
 }
 
-/// The name of the array to contour if the user has named none.
+/// The array to contour if the user named none.
 std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
 {
   std::set<std::string> ofPoints, ofCells;
@@ -74,14 +74,14 @@ std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
   const std::set<std::string>& names = ofPoints.empty() ? ofCells : ofPoints;
   if (names.size() != 1)
   {
-    throw Failure((names.empty() ? "there is no array in it with one value a point or cell"
-                                 : "--contour does not say of which array") +
+    throw Failure((names.empty() ? "it has no array with one value per point or cell"
+                                 : "--contour does not name one of its arrays") +
       std::string("; its arrays: ") + DescribeArrays(volumes));
   }
   return *names.begin();
 }
 
-/// The volume with the array as point data; null if it has no such array.
+/// The volume with the array as point data; null if there is no such array.
 vtkSmartPointer<vtkDataSet> WithPointArray(vtkDataSet* volume, const std::string& name)
 {
   if (IsContourable(volume->GetPointData()->GetArray(name.c_str())))
@@ -98,7 +98,7 @@ vtkSmartPointer<vtkDataSet> WithPointArray(vtkDataSet* volume, const std::string
   return vtkDataSet::SafeDownCast(average->GetOutputDataObject(0));
 }
 
-/// As the file names it; arrays without a name get one, so that they can be contoured, too.
+/// Gives active scalars without a name the name "scalars", so that they can be contoured too.
 void NameScalars(vtkDataSet* volume)
 {
   for (vtkDataSetAttributes* attributes :
@@ -199,7 +199,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> ContoursOf(const std::vector<vtkDataSe
     std::ostringstream value;
     value << contour.value;
     throw Failure((isKnown ? "no surface in it has " + name + " = " + value.str()
-                           : "it has no array '" + name + "' with one value a point or cell") +
+                           : "it has no array '" + name + "' with one value per point or cell") +
       "; its arrays: " + DescribeArrays(volumes));
   }
   return surfaces;

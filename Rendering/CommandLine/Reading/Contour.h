@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the surface on which an array of a volume has a value
+ * @brief the surface on which an array of a volume has a given value
  *
- * Images go through vtkFlyingEdges3D, every other volume through
- * vtkContourFilter. Without a name the array is the active scalars of the
- * points, or else the only array of the points, or, where these have none, of
- * the cells; arrays with several components do not count. Cell data is first averaged
- * at the points (vtkCellDataToPointData).
+ * Images of three dimensions are contoured by vtkFlyingEdges3D, all other volumes by
+ * vtkContourFilter. If no array is named, it is the active point scalars, else the only point
+ * array, or the only cell array if there are no point arrays. Arrays with several components are
+ * ignored. Cell data is first averaged to the points (vtkCellDataToPointData).
  */
 
 #ifndef Contour_h
@@ -30,18 +29,18 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// Whether the cells of a data set can be cut by a contour: any but polygon meshes.
+/// Whether a data set can be contoured: any but a polygon mesh.
 bool IsVolume(vtkDataSet* data);
 
 /**
- * The contours of some volumes, which are the blocks of one file; a volume that
- * lacks the array, or whose values do not reach the contour's, has none. Throws
- * Failure if nothing is left, naming the arrays and their ranges.
+ * The contours of the volumes of one file. A volume that lacks the array, or whose values do not
+ * reach the contour's, has no contour. Throws Failure if there is no contour at all; the message
+ * lists the arrays and their ranges.
  */
 std::vector<vtkSmartPointer<vtkPolyData>> ContoursOf(const std::vector<vtkDataSet*>& volumes,
   const ContourValue& contour, VtkMessages& messages, Progress& progress);
 
-/// The arrays that can be contoured, as a message lists them: "density from 0 to 255, ...".
+/// The arrays that can be contoured, as listed in messages: "density from 0 to 255, ...".
 std::string DescribeArrays(const std::vector<vtkDataSet*>& volumes);
 
 } // namespace lambent::command

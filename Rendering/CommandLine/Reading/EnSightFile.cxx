@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  /// As VTK's readers do: blank lines and comments are passed over.
+  /// Skips blank lines and comments, as VTK's readers do.
   std::string TakeDataLine()
   {
     std::string line;
@@ -112,8 +112,8 @@ private:
     return line;
   }
 
-  /// Whether a line that the file ends within lacks something of its numbers. Numbers mostly
-  /// have 10 or 12 columns each; the last line then is as wide as that before it.
+  /// Whether the last line of a file, without a line end, is truncated. Numbers usually have 10 or
+  /// 12 columns each; then the last line is as wide as the one before.
   static bool IsCut(const std::string& line, std::int64_t numbersInRow, std::size_t widthBefore)
   {
     std::istringstream words(line);

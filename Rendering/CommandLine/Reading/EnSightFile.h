@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a file of EnSight Gold, text or C binary, as lines and rows of numbers
+ * @brief an EnSight Gold file, in text or C binary, as lines and rows of numbers
  *
- * Numbers are stepped over rather than read, but for those that count others. In a text a row is
- * a line. In a binary file a line has 80 bytes and each number 4; the number of the first part
- * tells their order.
+ * Only counts are read; all other numbers are skipped. In a text file a row is a line. In a binary
+ * file a line has 80 bytes and a number 4; the part numbers reveal the byte order.
  */
 
 #ifndef EnSightFile_h
@@ -21,12 +20,12 @@
 namespace lambent::command
 {
 
-/// The file ends where something is due.
+/// Thrown if the file ends too early.
 struct EndOfEnSightFile
 {
 };
 
-/// Something that is left to VTK's reader.
+/// Thrown at unknown content, which is left to VTK's reader.
 struct EnSightNotUnderstood
 {
 };
@@ -34,11 +33,12 @@ struct EnSightNotUnderstood
 enum class EnSightEncoding
 {
   Text,
-  Binary, ///< of C
+  Binary, ///< C binary
   Other
 };
 
-/// As the first line of a geometry file says. The case's other files have the same, and do not say.
+/// From the first line of a geometry file. The case's other files have the same encoding but do not
+/// declare it.
 EnSightEncoding EncodingOfEnSight(const std::string& geometryPath);
 
 std::vector<std::string> WordsOf(const std::string& line);
@@ -48,7 +48,7 @@ class EnSightFile
 public:
   virtual ~EnSightFile() = default;
 
-  /// Null if there is no such file.
+  /// Returns null if the file cannot be opened.
   static std::unique_ptr<EnSightFile> Open(const std::string& path, EnSightEncoding encoding);
 
   /// True if nothing but blank lines follows.
@@ -57,11 +57,11 @@ public:
   // These throw EndOfEnSightFile or EnSightNotUnderstood.
   virtual std::string TakeDescription() = 0; ///< a line that may be blank
   virtual std::string TakeLine() = 0;        ///< without blanks at its ends
-  virtual std::int64_t TakePartNumber() = 0; ///< or any other number that is small
+  virtual std::int64_t TakePartNumber() = 0; ///< also sets the byte order; the number must be small
   virtual std::vector<std::int64_t> TakeRow(int count) = 0;
   virtual void SkipRows(std::int64_t rows, std::int64_t numbersInRow) = 0;
 
-  /// So many rows of numbers that count something: from 0 to 2^31 - 1, as the format has it.
+  /// Rows of counts from 0 to 2^31 - 1, the range of the format.
   std::vector<std::int64_t> TakeCounts(std::int64_t rows, int numbersInRow);
   std::int64_t TakeCount() { return this->TakeCounts(1, 1)[0]; }
 };

@@ -19,7 +19,7 @@ bool Has(const std::vector<std::string>& words, const char* word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// An unknown word: at the end of a file it is half of another one.
+/// Throws for an unknown word: at the end of the file it is a truncated one.
 [[noreturn]] void ThrowUnknown(EnSightFile& file)
 {
   if (file.IsAtEnd())
@@ -29,19 +29,19 @@ bool Has(const std::vector<std::string>& words, const char* word)
   throw EnSightNotUnderstood();
 }
 
-/// The points of an element; 0 of polygons and polyhedra, -1 of what is none.
+/// The number of points of an element; 0 for polygons and polyhedra, -1 for unknown types.
 int PointsOf(std::string type)
 {
   static const std::map<std::string, int> points{ { "point", 1 }, { "bar2", 2 }, { "bar3", 3 },
     { "tria3", 3 }, { "tria6", 6 }, { "quad4", 4 }, { "quad8", 8 }, { "tetra4", 4 },
     { "tetra10", 10 }, { "pyramid5", 5 }, { "pyramid13", 13 }, { "penta6", 6 }, { "penta15", 15 },
     { "hexa8", 8 }, { "hexa20", 20 }, { "nsided", 0 }, { "nfaced", 0 } };
-  type.erase(0, type.rfind("g_", 0) == 0 ? 2 : 0); // of neighbours
+  type.erase(0, type.rfind("g_", 0) == 0 ? 2 : 0); // ghost elements
   const auto found = points.find(type);
   return found == points.end() ? -1 : found->second;
 }
 
-/// Goes through a geometry file. Throws EndOfEnSightFile or EnSightNotUnderstood.
+/// Walks through a geometry file. Throws EndOfEnSightFile or EnSightNotUnderstood.
 class GeometryWalk
 {
 public:
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// From a line such as "node id given".
+  /// Whether ids are listed, from a line such as "node id given".
   bool TakeIsListed()
   {
     const std::vector<std::string> words = WordsOf(this->File.TakeLine());
@@ -102,7 +102,7 @@ private:
       throw EnSightNotUnderstood();
     }
     const std::vector<std::int64_t> size = this->File.TakeCounts(1, 3);
-    constexpr std::int64_t mostPoints = std::int64_t(1) << 40; // more make no sense
+    constexpr std::int64_t mostPoints = std::int64_t(1) << 40; // beyond any real file
     if (size[0] * size[1] > mostPoints || size[0] * size[1] * size[2] > mostPoints)
     {
       throw EnSightNotUnderstood();
@@ -137,7 +137,7 @@ private:
       return;
     }
     std::vector<std::int64_t> corners = this->File.TakeCounts(count, 1);
-    if (type.find("nfaced") != std::string::npos) // these were the faces of each
+    if (type.find("nfaced") != std::string::npos) // these were the numbers of faces
     {
       corners =
         this->File.TakeCounts(std::accumulate(corners.begin(), corners.end(), std::int64_t(0)), 1);
@@ -155,8 +155,8 @@ private:
   bool HasPointIds = false, HasElementIds = false;
 };
 
-/// The values that follow a keyword in a part, or -1: "coordinates undef" and the like are not
-/// known.
+/// The number of values after a keyword in a part; -1 if the keyword is unknown, such as
+/// "coordinates undef".
 std::int64_t ValuesAt(const EnSightPart& part, const std::string& keyword, bool isAtPoints)
 {
   if (isAtPoints)

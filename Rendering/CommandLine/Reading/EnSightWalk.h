@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief goes through files of EnSight Gold by the counts in them
+ * @brief walks through EnSight Gold files by the counts in them
  *
- * Both functions throw EndOfEnSightFile where a file ends too early, and EnSightNotUnderstood
- * where it holds something that they do not know.
+ * Both functions throw EndOfEnSightFile if a file ends too early, and EnSightNotUnderstood at
+ * unknown content.
  */
 
 #ifndef EnSightWalk_h
@@ -20,18 +20,18 @@ namespace lambent::command
 
 class EnSightFile;
 
-/// How many values a variable has in a part.
+/// The number of values of a variable in a part.
 struct EnSightPart
 {
   std::int64_t points = 0;
-  std::map<std::string, std::int64_t> elements; ///< by their types; "block": cells of a block
+  std::map<std::string, std::int64_t> elements; ///< by type; "block": the cells of a block
 };
 
-using EnSightParts = std::map<std::int64_t, EnSightPart>; ///< by their numbers
+using EnSightParts = std::map<std::int64_t, EnSightPart>; ///< by part number
 
 EnSightParts WalkEnSightGeometry(EnSightFile& file);
 
-/// A variable of so many components at the points or, else, at the elements.
+/// Walks through a variable with this many components, at the points or at the elements.
 void WalkEnSightVariable(
   EnSightFile& file, const EnSightParts& parts, bool isAtPoints, int components);
 

@@ -21,7 +21,7 @@ FileBytes::FileBytes(const std::string& path)
     throw Failure(std::strerror(errno));
   }
   this->Size = static_cast<std::size_t>(size);
-  this->Data.reset(new char[this->Size + 1]); // not make_unique: it would fill with zeros first
+  this->Data.reset(new char[this->Size + 1]); // make_unique would first fill it with zeros
   std::rewind(file.get());
   if (std::fread(this->Data.get(), 1, this->Size, file.get()) != this->Size)
   {

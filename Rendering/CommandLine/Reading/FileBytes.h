@@ -22,7 +22,7 @@ public:
   /// Reads the file; throws Failure if it cannot be read to its end.
   explicit FileBytes(const std::string& path);
 
-  /// A zero byte follows the last one, so that a number in a text file ends there.
+  /// A zero byte follows the last byte, so that a number at the end of a text file ends there.
   const char* begin() const { return this->Data.get(); }
   const char* end() const { return this->Data.get() + this->Size; }
   std::size_t size() const { return this->Size; }

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <sstream>
 
-// The build defines these where it has found the library.
+// The build defines these if it found the library.
 #ifdef LAMBENT_HAS_ASSIMP
 #define LAMBENT_IF_ASSIMP(read) read
 #else
@@ -45,7 +45,7 @@ constexpr Trust Isolated = Trust::Isolated;
 constexpr const char* Vtk = "VTK";
 constexpr const char* Own = "Lambent";
 #ifdef LAMBENT_HAS_ASSIMP
-// VTK's reader fails where a texture is missing, and crashes where a buffer is; this one does not.
+// VTK's reader fails if a texture is missing and crashes if a buffer is missing; assimp does not.
 constexpr const char* Gltf = "assimp";
 constexpr ReadFunction ReadGltfFile = ReadAssimp;
 #else
@@ -90,7 +90,7 @@ const Format Table[] = {
   { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true, true },
 };
 
-/// Kinds that people try, and what to do about them.
+/// Kinds that users may try, and the remedy.
 const struct
 {
   const char* extensions;
@@ -103,7 +103,7 @@ const struct
   { ".wrl .x3d .dxf .lwo .ac .ms3d .x", "convert it with Blender, MeshLab or assimp" },
 };
 
-/// Whether it is one of the words.
+/// Whether `words` contains the word.
 bool Contains(const char* words, const std::string& word)
 {
   std::istringstream stream(words);
@@ -117,7 +117,7 @@ bool Contains(const char* words, const std::string& word)
   return false;
 }
 
-/// Without the ".gz" of a gzipped file.
+/// The extension, without the ".gz" of a gzipped file.
 std::string InnerExtensionOf(const std::string& path)
 {
   return ExtensionOf(IsGzipped(path) ? path.substr(0, path.size() - 3) : path);
@@ -131,11 +131,11 @@ std::string InnerExtensionOf(const std::string& path)
   {
     if (Contains(extensions, extension))
     {
-      throw Failure("files of the kind " + extension + " are not read; " + remedy +
+      throw Failure("files of the kind " + extension + " cannot be read; " + remedy +
         ", to a name that ends in one of " + kinds);
     }
   }
-  throw Failure("its kind is not known; its name has to end in one of " + kinds);
+  throw Failure("its kind is not known; its name must end in one of " + kinds);
 }
 
 } // namespace
@@ -163,7 +163,7 @@ Trust TrustIn(const Format& format, const std::string& path)
 {
   if (format.kind == MeshKind::LegacyVtk)
   {
-    // The sizes of images and grids are left to VTK's readers.
+    // VTK's readers do not check the sizes of images and grids.
     return LegacyTypeOf(path) == LegacyType::Other ? Trust::Isolated : Trust::Checked;
   }
   return format.trust;
@@ -180,7 +180,7 @@ const Format& RequireFormat(const std::string& path)
   {
     throw Failure(std::string("this build of lambent was made without ") + format->library +
       ", which reads " + format->extensions +
-      "; install it and build anew, or convert the file to " + "one of " + MeshExtensions());
+      "; install it and build again, or convert the file to " + "one of " + MeshExtensions());
   }
   if (IsGzipped(path) && !HasZlib)
   {

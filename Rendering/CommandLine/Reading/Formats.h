@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the table of the kinds of files that can be read, by the end of their names
+ * @brief the table of file formats that can be read, by extension
  *
- * A new kind is one entry in the table in Formats.cxx: its extensions, what it
- * is called, and the function that reads it. Every kind may also be gzipped:
- * "mesh.ply.gz" is of the kind of "mesh.ply".
+ * To add a format, add an entry to the table in Formats.cxx: its extensions, its description and
+ * the function that reads it. Every format may also be gzipped: "mesh.ply.gz" is read like
+ * "mesh.ply".
  */
 
 #ifndef Formats_h
@@ -25,7 +25,7 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// The kinds that code outside of the table has to tell apart.
+/// The formats that code outside of the table must distinguish.
 enum class MeshKind
 {
   Vtp,
@@ -41,46 +41,46 @@ enum class MeshKind
 using ReadFunction = vtkSmartPointer<vtkDataObject> (*)(
   const std::string& path, VtkMessages& messages, Progress& progress);
 
-/// Whether a reader can be trusted with any bytes.
+/// Whether a reader is safe with any bytes.
 enum class Trust
 {
-  Checked, ///< it, or a check before it, withstands broken files: it runs in this process
-  Isolated ///< it may crash or hang: it runs in a child process, see Isolated.h
+  Checked, ///< the reader, or a check before it, handles broken files: runs in this process
+  Isolated ///< the reader may crash or hang: runs in a child process, see Isolated.h
 };
 
 struct Format
 {
   MeshKind kind;
-  const char* extensions; ///< in lower case, with spaces between them
+  const char* extensions; ///< in lower case, separated by spaces
   const char* description;
-  const char* library; ///< what reads it: "VTK", "assimp", or "Lambent" itself
+  const char* library; ///< the library that reads it: "VTK", "assimp", "Lambent" itself, ...
   ReadFunction read;   ///< null if `library` was missing when the command was built
   Trust trust;
-  bool hasParts; ///< it names further files, relative to its own folder, or stands for that
-  bool mayBeEmpty = false; ///< only its name and place matter
+  bool hasParts; ///< the file names others, relative to its folder, or stands for its folder
+  bool mayBeEmpty = false; ///< only the file's name and place matter
 };
 
-/// The format that the name of a file tells, in upper or lower case, gzipped or not; null if it is
-/// not known.
+/// The format that belongs to a file's extension, in upper or lower case, gzipped or not; null if
+/// it is unknown.
 const Format* FindFormat(const std::string& path);
 
-/// The kind of that format; nothing if it is not known.
+/// The kind of that format; empty if it is unknown.
 std::optional<MeshKind> MeshKindOf(const std::string& path);
 
 /// Whether the name ends in ".gz".
 bool IsGzipped(const std::string& path);
 
-/// How the file has to be read: a legacy file holds meshes as well as images.
+/// How the file must be read. For legacy VTK files this depends on the type of data in the file.
 Trust TrustIn(const Format& format, const std::string& path);
 
-/// Throws Failure, saying what can be read, if the name tells no format or one that this build
-/// cannot read.
+/// Throws Failure, with a list of the readable extensions, if the format is unknown or this build
+/// cannot read it.
 const Format& RequireFormat(const std::string& path);
 
-/// The extensions that this build reads, as a message lists them: ".vtp .vtk ...".
+/// The extensions that this build reads, as listed in messages: ".vtp .vtk ...".
 std::string MeshExtensions();
 
-/// What `lambent --formats` prints.
+/// The output of `lambent --formats`.
 std::string DescribeFormats();
 
 } // namespace lambent::command

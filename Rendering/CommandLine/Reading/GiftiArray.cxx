@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr const char* Whole = "; get a whole copy of it";
-// As of gzipped files: more than any mesh, less than a bomb.
+// As for gzipped files: more than any mesh needs, less than a decompression bomb.
 constexpr std::size_t FreeSize = std::size_t{ 64 } << 20;
 constexpr std::size_t MostRatio = 256;
 
@@ -35,7 +35,7 @@ bool IsSpace(char c)
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-/// How many values the array has. Bounded, so that sizes in bytes cannot overflow.
+/// The number of values in the array. Bounded, so that sizes in bytes cannot overflow.
 std::size_t CountValues(const GiftiHeader& header)
 {
   constexpr std::int64_t most = 0x7fffffff;
@@ -68,7 +68,7 @@ void RequireRoom(bool isEnough, std::size_t count)
 
 std::vector<double> DecodeText(const std::string& text, std::size_t count)
 {
-  RequireRoom(count <= text.size() / 2 + 1, count); // a digit and a space each
+  RequireRoom(count <= text.size() / 2 + 1, count); // at least a digit and a space each
   const char* at = text.c_str();
   const char* const end = at + text.size();
   std::vector<double> values;
@@ -84,7 +84,7 @@ std::vector<double> DecodeText(const std::string& text, std::size_t count)
     const char* const behind = ReadNumber(at, end, value);
     if (behind == at || (behind != end && !IsSpace(*behind)))
     {
-      throw Failure("its number " + std::to_string(values.size()) + " is none" + Whole);
+      throw Failure("its value " + std::to_string(values.size()) + " is not a number" + Whole);
     }
     if (values.size() == count)
     {
@@ -108,7 +108,7 @@ Bytes DecodeBase64(const std::string& text)
   Bytes bytes(packed.size() / 4 * 3 + 3);
   const std::size_t size =
     vtkBase64Utilities::DecodeSafely(packed.data(), packed.size(), bytes.data(), bytes.size());
-  // VTK stops at what is no letter of base64.
+  // VTK stops at the first character that is not base64.
   if (packed.size() % 4 != 0 || packed.size() - letters > 2 || size != letters * 3 / 4)
   {
     throw Failure("its text is not base64" + std::string(Whole));
@@ -118,7 +118,7 @@ Bytes DecodeBase64(const std::string& text)
 }
 
 #ifdef LAMBENT_HAS_ZLIB
-/// Up to 4 GiB, as zlib counts in 32 bits.
+/// Limited to 4 GiB, because zlib counts in 32 bits.
 Bytes Inflate(Bytes& packed, std::size_t size)
 {
   constexpr std::size_t most = 0xffffffff;
@@ -126,9 +126,9 @@ Bytes Inflate(Bytes& packed, std::size_t size)
   {
     throw Failure("it is larger than 4 GiB; save it with the encoding Base64Binary");
   }
-  Bytes plain(size + 1); // a byte more, to see whether there is one
+  Bytes plain(size + 1); // one byte more, to detect excess data
   z_stream state = {};
-  if (inflateInit2(&state, 15 + 32) != Z_OK) // 32: the header of zlib or of gzip
+  if (inflateInit2(&state, 15 + 32) != Z_OK) // 32: accept a zlib or gzip header
   {
     throw std::bad_alloc();
   }
@@ -176,8 +176,8 @@ std::vector<double> DecodeBytes(
   {
     if (size > FreeSize + MostRatio * bytes.size())
     {
-      throw Failure("its Dim0 promises more than " + std::to_string(MostRatio) +
-        " times the size of its packed data, as no mesh needs" + Whole);
+      throw Failure("its Dim0 declares more than " + std::to_string(MostRatio) +
+        " times the size of its packed data, which no mesh needs" + Whole);
     }
     bytes = Inflate(bytes, size);
   }

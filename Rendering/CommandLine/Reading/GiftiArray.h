@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the numbers of a DataArray of a GIFTI file
+ * @brief decodes a DataArray of a GIFTI file
  *
- * The text of an array is decimal numbers, or base64 of the numbers in memory, or
- * base64 of a zlib stream of them. Memory is allocated only for as many numbers as
- * the text can hold; packed ones up to 64 MiB and 256 times its size.
+ * The text of an array holds decimal numbers, base64 of the binary numbers, or base64 of a zlib
+ * stream of them. Memory is allocated only for as many numbers as the text can hold; for compressed
+ * arrays, up to 64 MiB plus 256 times the compressed size.
  *
  * Reference: J. Harwell and others, "GIFTI Surface Data Format", version 1.0, 2011.
  */
@@ -21,7 +21,7 @@
 namespace lambent::command
 {
 
-/// What the attributes of a DataArray say, as they are written.
+/// The attributes of a DataArray as they are written.
 struct GiftiHeader
 {
   std::string intent;
@@ -35,7 +35,7 @@ struct GiftiHeader
 };
 
 /// The values of an array of any number of rows and 3 columns, row by row. Throws Failure if the
-/// text does not hold exactly that many.
+/// text holds more or fewer values.
 std::vector<double> DecodeGiftiArray(const GiftiHeader& header, const std::string& text);
 
 } // namespace lambent::command

@@ -40,7 +40,7 @@ public:
       if (taken > count)
       {
         this->Cursor.Fail(
-          "there are more elements than the " + std::to_string(count) + " that it promises");
+          "there are more elements than the " + std::to_string(count) + " that it declares");
       }
     }
   }
@@ -56,7 +56,7 @@ private:
     return 1;
   }
 
-  /// In binary files elements of a type and number of tags come together.
+  /// In binary files, elements with the same type and number of tags form a block.
   std::int64_t TakeElementBlock2()
   {
     const std::int64_t type = this->Cursor.TakeInt("the type of an element");
@@ -64,7 +64,7 @@ private:
     const std::int64_t tags = this->Cursor.TakeInt("the number of tags of an element");
     if (count <= 0)
     {
-      this->Cursor.Fail("a block of elements has none");
+      this->Cursor.Fail("a block of elements is empty");
     }
     for (std::int64_t element = 0; element < count; ++element)
     {
@@ -109,8 +109,8 @@ private:
     }
     if (taken != count)
     {
-      this->Cursor.Fail(
-        "its blocks have " + std::to_string(taken) + " elements and not " + std::to_string(count));
+      this->Cursor.Fail("its blocks have " + std::to_string(taken) + " elements instead of " +
+        std::to_string(count));
     }
   }
 
@@ -119,8 +119,8 @@ private:
     const GmshType* const type = FindGmshType(number);
     if (!type)
     {
-      throw Failure("element " + std::to_string(element) + " is of the type " +
-        std::to_string(number) + ", which is not read; save it with elements of order 1 or 2");
+      throw Failure("element " + std::to_string(element) + " is of type " + std::to_string(number) +
+        ", which cannot be read; save it with elements of order 1 or 2");
     }
     return *type;
   }

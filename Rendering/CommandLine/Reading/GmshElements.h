@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the section $Elements of a file of Gmsh
+ * @brief reads the section $Elements of a Gmsh file
  *
- * Version 2 has a line for each element, or in binary files blocks of elements of
- * one type; version 4.1 has blocks in both.
+ * In version 2, text files have a line for each element, and binary files have blocks of elements
+ * of one type. In version 4.1 both have blocks.
  */
 
 #ifndef GmshElements_h
@@ -18,7 +18,7 @@ class MshCursor;
 class NumberedMesh;
 class Progress;
 
-/// Adds the elements of a section whose first line comes next. Throws Failure.
+/// Adds the elements of the section that starts at the cursor, after its keyword. Throws Failure.
 void TakeGmshElements(MshCursor& cursor, bool isVersion2, NumberedMesh& mesh, Progress& progress);
 
 } // namespace lambent::command

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the types of elements that Gmsh numbers
+ * @brief Gmsh element types
  *
  * Reference: the manual of Gmsh, "MSH file format", elm-type.
  */
@@ -19,10 +19,10 @@ struct GmshType
 {
   int number;
   int nodes;
-  ElementShape shape; ///< with no corners for points and lines, which are not drawn
+  ElementShape shape; ///< has no corners for points and lines, which are not drawn
 };
 
-/// Null if the type is not known.
+/// Returns null if the type is unknown.
 const GmshType* FindGmshType(std::int64_t number);
 
 } // namespace lambent::command

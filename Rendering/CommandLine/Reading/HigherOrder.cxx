@@ -72,10 +72,10 @@ bool IsSortedHexahedron(int type)
 namespace
 {
 
-/// No cell of a higher order than this has so few nodes that a file could hold it.
+/// An upper bound on the order, beyond any real cell.
 constexpr int HighestOrder = 1000;
 
-/// How many nodes a cell of these orders has.
+/// The number of nodes of a cell of these orders.
 vtkIdType Nodes(Shape shape, const Orders& orders)
 {
   const vtkIdType m = orders[0] + 1, n = orders[1] + 1, o = orders[2] + 1;
@@ -103,20 +103,20 @@ vtkIdType Nodes(Shape shape, const Orders& orders)
   return 0;
 }
 
-/// The least order that a shape may have: a polygon of order m has m + 1 corners.
+/// The least order of a shape: a polygon of order m has m + 1 corners.
 int LeastOrder(Shape shape)
 {
   return shape == Shape::Polygon ? 2 : 1;
 }
 
-/// Cells of order 2 that have further nodes in the middle, behind the others.
+/// Whether a cell is of order 2 with additional nodes at the centres, after the others.
 bool IsSecondOrderWithCentres(Shape shape, vtkIdType count)
 {
   return (shape == Shape::Triangle && count == 7) || (shape == Shape::Tetrahedron && count == 15) ||
     (shape == Shape::Wedge && count == 21);
 }
 
-/// How many of the three orders matter.
+/// The number of independent orders.
 int Directions(Shape shape)
 {
   switch (shape)
@@ -127,17 +127,17 @@ int Directions(Shape shape)
     case Shape::Quadrilateral:
       return 2;
     default:
-      return 1; // the same in all
+      return 1; // the same order in all directions
   }
 }
 
-/// VTK's readers look for the array by its name.
+/// The array with the orders, found by name as VTK's readers do.
 vtkDataArray* DegreesOf(vtkUnstructuredGrid* grid)
 {
   return grid->GetCellData()->GetArray("HigherOrderDegrees");
 }
 
-/// The orders in that array, if they go with the count of nodes.
+/// The orders in that array, if they match the number of nodes.
 std::optional<Orders> GivenOrders(
   vtkUnstructuredGrid* grid, vtkIdType cell, Shape shape, vtkIdType count)
 {
@@ -182,7 +182,7 @@ std::optional<Orders> FindOrders(vtkUnstructuredGrid* grid, vtkIdType cell, Shap
   const std::optional<Orders> given = GivenOrders(grid, cell, shape, count);
   if (given || (shape == Shape::Hexahedron && DegreesOf(grid)))
   {
-    return given; // which VTK takes to sort the nodes of hexahedra, whether they fit or not
+    return given; // VTK sorts the nodes of hexahedra by the array, whether it fits or not
   }
   return EqualOrders(shape, count);
 }
@@ -204,8 +204,8 @@ void CheckHigherOrder(vtkUnstructuredGrid* grid, vtkIdType cell, int type)
   if (shape == Shape::Hexahedron && DegreesOf(grid))
   {
     throw Failure(CellWithType(cell, type) +
-      " has not as many points as its orders in the array "
-      "HigherOrderDegrees ask for" +
+      " does not have the number of points that its orders in the array "
+      "HigherOrderDegrees require" +
       CorrectCell);
   }
   std::string counts;

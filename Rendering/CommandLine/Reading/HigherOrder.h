@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief how many nodes a cell of any order has
+ * @brief the number of nodes of higher-order cells
  *
- * The types 60 to 81 of VTK have as many nodes as their order asks for: it
- * follows from the count of nodes, or is in the cell array "HigherOrderDegrees",
- * one number for each direction. vtkDataSetSurfaceFilter of VTK 9.1 crashes on
- * Lagrange and Bezier tetrahedra, leaves out pyramids and the types 60 to 67,
- * and its classes for the others rely on the count.
+ * The number of nodes of VTK's cell types 60 to 81 depends on their order. The order follows from
+ * the number of nodes, or is given in the cell array "HigherOrderDegrees", with a number for each
+ * direction. vtkDataSetSurfaceFilter of VTK 9.1 crashes on Lagrange and Bezier tetrahedra and skips
+ * pyramids and the types 60 to 67; VTK's classes for the other types rely on the number of nodes.
  */
 
 #ifndef HigherOrder_h
@@ -24,10 +23,10 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// What the cells of a type look like.
+/// The shape of a type of cell.
 enum class Shape
 {
-  Linear, ///< not of a type 60 to 81
+  Linear, ///< not one of the types 60 to 81
   Edge,
   Triangle,
   Quadrilateral,
@@ -39,26 +38,26 @@ enum class Shape
 };
 Shape HigherOrderShape(int type);
 
-/// Lagrange cells have their nodes on the surface; those of Bezier cells, but for the corners, are
-/// not, and of the types 60 to 67 only the corners are known.
+/// Whether the nodes lie on the surface, as for Lagrange cells. In Bezier cells only the corners
+/// do, and in the types 60 to 67 only the corners are defined.
 bool IsLagrange(int type);
 
-/// VTK's readers sort the nodes of hexahedra from older files.
+/// Whether VTK's readers sort the nodes of this type in older files: hexahedra.
 bool IsSortedHexahedron(int type);
 
 /// The order in each direction.
 using Orders = std::array<int, 3>;
 
-/// Of a cell of one of those types, after CheckHigherOrder().
+/// The orders of a cell of the types 60 to 81 that has passed CheckHigherOrder().
 Orders OrdersOf(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
 
-/// Throws Failure if a cell of one of those types has a count of nodes that it cannot have.
+/// Throws Failure if a cell of the types 60 to 81 has an invalid number of nodes.
 void CheckHigherOrder(vtkUnstructuredGrid* grid, vtkIdType cell, int type);
 
-/// "its cell 3 of type 70 (vtkLagrangeQuadrilateral)"
+/// The cell as named in messages: "its cell 3 of type 70 (vtkLagrangeQuadrilateral)".
 std::string CellWithType(vtkIdType cell, int type);
 
-/// What to do about a cell that was written wrong.
+/// The remedy for an invalid cell.
 extern const char* const CorrectCell;
 
 } // namespace lambent::command

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief arrays of offsets and point ids, looked at as fast as memory allows
+ * @brief checks arrays of offsets and point ids at memory speed
  *
- * Whether numbers are in a range is asked of many at once: the highest bits of
- * k and of n - 1 - k, without signs, are both 0 for 0 <= k < n alone. A sum of
- * bits needs no branch, and the compiler puts several numbers into a register.
+ * Ranges are checked for many numbers at once: the highest bits of k and n - 1 - k, as unsigned
+ * numbers, are both 0 if and only if 0 <= k < n. Combining them by OR needs no branch, and the
+ * compiler vectorises the loop.
  */
 
 #ifndef IdArrays_h
@@ -24,7 +24,7 @@
 namespace lambent::command
 {
 
-/// Calls visit with the values of an array; false if it is of another type than those of cells.
+/// Calls visit with the values of an array. Returns false if it is not of a type used for cells.
 template <typename Visit>
 bool VisitPlain(vtkDataArray* array, const Visit& visit)
 {
@@ -41,7 +41,7 @@ bool VisitPlain(vtkDataArray* array, const Visit& visit)
   return false;
 }
 
-/// Calls visit with the values of any array. Newer versions of VTK have some that are formulas.
+/// Calls visit with the values of any array. Newer versions of VTK have implicit arrays.
 template <typename Visit>
 void VisitValues(vtkDataArray* array, const Visit& visit)
 {
@@ -53,7 +53,7 @@ void VisitValues(vtkDataArray* array, const Visit& visit)
   }
 }
 
-/// Whether values[begin .. end] are not negative, and none is less than the one before.
+/// Whether values[begin .. end] are not negative and do not decrease.
 template <typename Value>
 bool DoIncrease(const Value* values, vtkIdType begin, vtkIdType end)
 {
@@ -67,7 +67,7 @@ bool DoIncrease(const Value* values, vtkIdType begin, vtkIdType end)
   return static_cast<Value>(wrong) >= 0;
 }
 
-/// Whether ids[begin .. end) are at least 0 and less than the count, which is not 0.
+/// Whether ids[begin .. end) are in [0, count), where count > 0.
 template <typename Value>
 bool AreIdsBelow(vtkIdType count, const Value* ids, vtkIdType begin, vtkIdType end)
 {

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a hash table from anything to ids, which are kept by whoever knows what they stand for
+ * @brief a hash table of ids whose keys are stored by the caller
  *
- * Open addressing with linear probing, at most half full. A slot holds the id and
- * its hash; whether an id is the one that is looked for is asked of the caller.
- * So nothing is stored twice.
+ * Open addressing with linear probing, at most half full. A slot holds an id and its hash. The
+ * caller compares the keys, so they are not stored twice.
  */
 
 #ifndef IdTable_h
@@ -20,7 +19,7 @@
 namespace lambent::command
 {
 
-/// Spreads all bits over all bits (the finaliser of MurmurHash3, by A. Appleby).
+/// Lets every bit affect every other bit (the finaliser of MurmurHash3, by A. Appleby).
 inline std::uint64_t MixBits(std::uint64_t bits)
 {
   bits = (bits ^ (bits >> 33)) * 0xff51afd7ed558ccdULL;
@@ -36,7 +35,7 @@ public:
   {
   }
 
-  /// The id with that hash for which isSame(id) holds; if there is none, newId, which is added.
+  /// The id with that hash for which isSame(id) is true. If there is none, adds and returns newId.
   template <typename IsSame>
   std::int32_t FindOrAdd(std::uint64_t hash, std::int32_t newId, IsSame&& isSame)
   {

@@ -73,7 +73,7 @@ bool InpLines::NextOfAnyKind()
   }
   if (this->At != this->End)
   {
-    const bool isPair = this->At[0] == '\r' && this->At[1] == '\n'; // a zero byte is at the end
+    const bool isPair = this->At[0] == '\r' && this->At[1] == '\n'; // a zero byte follows the file
     this->At += isPair ? 2 : 1;
   }
   ++this->Number;
@@ -132,7 +132,7 @@ void InpLines::AddIntegers(std::vector<std::int64_t>& numbers) const
     const char* const end = ReadInteger(field.c_str(), number);
     if (field.empty() || *end != '\0')
     {
-      this->Fail(Quoted(field) + " where the number of an element or node is due");
+      this->Fail("found " + Quoted(field) + " where the number of an element or node is expected");
     }
     numbers.push_back(number);
   }
@@ -145,18 +145,18 @@ std::int64_t InpLines::Node(double coordinates[3]) const
   const char* const end = ReadInteger(fields[0].c_str(), number);
   if (fields[0].empty() || *end != '\0')
   {
-    this->Fail(Quoted(fields[0]) + " where the number of a node is due");
+    this->Fail("found " + Quoted(fields[0]) + " where the number of a node is expected");
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     coordinates[axis] = 0;
     std::string field = axis + 1 < fields.size() ? fields[axis + 1] : std::string();
-    std::replace(field.begin(), field.end(), 'D', 'E'); // how Fortran writes 1e3
+    std::replace(field.begin(), field.end(), 'D', 'E'); // Fortran writes 1D3 for 1e3
     const char* const last = field.c_str() + field.size();
     if (!field.empty() && ReadNumber(field.c_str(), last, coordinates[axis]) != last)
     {
-      this->Fail(
-        Quoted(field) + " where a coordinate of node " + std::to_string(number) + " is due");
+      this->Fail("found " + Quoted(field) + " where a coordinate of node " +
+        std::to_string(number) + " is expected");
     }
   }
   return number;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief goes through the lines of an input file of Abaqus
+ * @brief reads the lines of an Abaqus input file
  *
- * Lines that begin with two asterisks are comments, those with one begin with a
- * keyword, all others are data, fields with commas between them. Neither case nor
- * blanks matter.
+ * Lines that begin with two asterisks are comments, lines with one asterisk are keywords, and all
+ * other lines are data, with fields separated by commas. Case and blanks do not matter.
  */
 
 #ifndef InpLines_h
@@ -22,37 +21,37 @@
 namespace lambent::command
 {
 
-/// A text of the file as a message quotes it: not too long, and in ASCII.
+/// A text of the file as quoted in messages: at most 40 characters, in ASCII.
 std::string Quoted(std::string text);
 
-/// In capitals and without blanks.
+/// A keyword line, in capitals and without blanks.
 struct InpKeyword
 {
   std::string name;                              ///< "ELEMENT"
   std::map<std::string, std::string> parameters; ///< "TYPE" and "S3R"
 };
 
-/// Throws Failure with the line.
+/// Every Failure thrown names the line.
 class InpLines
 {
 public:
   explicit InpLines(const FileBytes& file);
 
-  /// Goes to the next line that is neither empty nor comment; false at the end.
+  /// Moves to the next line that is neither empty nor a comment. Returns false at the end.
   bool Next();
 
-  /// The line here, in capitals and without blanks.
+  /// The current line, in capitals and without blanks.
   const std::string& Text() const { return this->Line; }
   bool IsKeyword() const { return this->Line[0] == '*'; }
   bool IsContinued() const { return this->Line.back() == ','; }
 
-  /// The keyword here, and those of the next lines that continue it.
+  /// Parses the current keyword line and the lines that continue it.
   InpKeyword TakeKeyword();
 
-  /// The whole numbers of the line here, added to those before it.
+  /// Appends the integers of the current line.
   void AddIntegers(std::vector<std::int64_t>& numbers) const;
 
-  /// The number and the coordinates of a node; those that are missing or empty are 0.
+  /// Returns the number of a node and sets its coordinates; missing or empty ones are 0.
   std::int64_t Node(double coordinates[3]) const;
 
   double Fraction() const;

@@ -25,26 +25,26 @@ namespace lambent::command
 namespace
 {
 
-/// How many times its CPU time a reader may take altogether: one that waits takes none.
+/// The limit on a reader's elapsed time, as a multiple of its CPU time: waiting takes no CPU time.
 constexpr unsigned long waitFactor = 12;
 
-/// Parts the child from what is the parent's: its handlers, which tidy up, the terminal, and the
-/// threads of VTK, which a child does not inherit and would wait for.
+/// Detaches the child from the parent's signal handlers, which clean up for the parent, from the
+/// standard streams, and from VTK's threads, which a child does not inherit and would wait for.
 void Detach()
 {
   vtkSMPTools::SetBackend("Sequential");
   for (const int signal : { SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU, SIGALRM })
   {
-    std::signal(signal, SIG_DFL); // the parent's handlers tidy up what is the parent's
+    std::signal(signal, SIG_DFL);
   }
-  // Libraries, the C library's checks and std::terminate() print what nobody can use.
+  // Libraries, the C library's checks and std::terminate() print messages of no use to the user.
   const int null = open("/dev/null", O_RDWR);
   dup2(null, STDIN_FILENO);
   dup2(null, STDOUT_FILENO);
   dup2(null, STDERR_FILENO);
 }
 
-/// The child's work: reads, and sends what comes of it.
+/// Runs in the child: reads the file and sends the result.
 void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int file,
   VtkMessages& messages, Progress& progress)
 {
@@ -64,8 +64,8 @@ void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int 
   catch (const std::bad_alloc&)
   {
     pipe.Send(MessageTag::Error,
-      "its reader asks for far more memory than a file of its size needs; is it whole, and of the "
-      "kind that its name tells?");
+      "its reader asks for far more memory than a file of its size needs; check that the file is "
+      "complete and has the right extension");
   }
   catch (const std::exception& reason)
   {
@@ -73,7 +73,7 @@ void ReadAndSend(const std::function<vtkSmartPointer<vtkPolyData>()>& read, int 
   }
 }
 
-/// What the child has to say. Null: it ended before it had said all.
+/// Receives the child's messages. Returns null if the child ended before its last message.
 vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
 {
   MeshPipeReader pipe(file);
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkPolyData> Receive(int file, Progress& progress)
   return nullptr;
 }
 
-/// A child process; killed, if it still runs, and waited for.
+/// A child process. The destructor kills it, if it still runs, and waits for it.
 class Child
 {
 public:
@@ -113,7 +113,7 @@ public:
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Its status, as waitpid() has it.
+  /// Waits for the child, after killing it if it is unwanted. Returns its status from waitpid().
   int End(bool isUnwanted)
   {
     if (this->Id > 0)
@@ -140,16 +140,16 @@ private:
 [[noreturn]] void ThrowEnd(int status, const ChildLimits& limits)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const std::string advice = "; is it whole, and of the kind that its name tells?";
+  const std::string advice = "; check that the file is complete and has the right extension";
   if (signal == SIGXCPU || signal == SIGALRM)
   {
     const unsigned long factor = signal == SIGALRM ? waitFactor : 1;
-    throw Failure("its reader came to no end in " + std::to_string(factor * limits.seconds) +
+    throw Failure("its reader did not finish in " + std::to_string(factor * limits.seconds) +
       (signal == SIGALRM ? " seconds" : " seconds of CPU time") + advice);
   }
   if (signal == SIGKILL)
   {
-    throw Failure("its reader was killed, perhaps since the machine ran out of memory" + advice);
+    throw Failure("its reader was killed, perhaps because the machine ran out of memory" + advice);
   }
   throw Failure("its reader crashed" +
     (signal ? std::string(" (") + strsignal(signal) + ")" : std::string()) + advice);
@@ -173,14 +173,13 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
     TakeLimits(limits);
     alarm(static_cast<unsigned int>(waitFactor * limits.seconds));
     ReadAndSend(read, ends[1], messages, progress);
-    _exit(0); // destructors and exit handlers are the parent's
+    _exit(0); // skip destructors and exit handlers, which belong to the parent
   }
   close(ends[1]);
   if (id < 0)
   {
     close(ends[0]);
-    throw Failure(
-      std::string("it cannot be read in a process of its own: ") + std::strerror(errno));
+    throw Failure(std::string("it cannot be read in a separate process: ") + std::strerror(errno));
   }
   Child child(id, ends[0]);
   const vtkSmartPointer<vtkPolyData> mesh = Receive(ends[0], progress);
@@ -191,7 +190,7 @@ vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vt
   }
   for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
   {
-    CheckCells(cells, mesh->GetNumberOfPoints()); // a reader that went wrong may still end well
+    CheckCells(cells, mesh->GetNumberOfPoints()); // a faulty reader may still exit normally
   }
   return mesh;
 }

@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief run a reader that may crash in a child process
+ * @brief runs a reader that may crash in a child process
  *
- * Most readers of VTK and assimp believe what a file says of itself. On broken
- * files they crash, hang, or ask for more memory than there is. So they run in
- * a child, which hands back the surface through a pipe; whatever happens to the
- * child is one Failure here.
+ * Most readers of VTK and assimp trust the file. On broken files they crash, hang, or allocate more
+ * memory than there is. So they run in a child process, which returns the surface through a pipe.
+ * Any failure of the child becomes a Failure here.
  *
- * 1. fork(). The child lets go of the standard streams and takes its limits.
- * 2. The child reads, and sends its progress on the way; then its warnings,
- *    and the surface or the reason why there is none.
- * 3. The parent takes these, waits for the child, and judges its end.
+ * 1. The parent calls fork(). The child detaches from the standard streams and applies its limits.
+ * 2. The child reads the file and sends its progress, then its warnings, and the surface or an
+ *    error.
+ * 3. The parent receives these, waits for the child and checks its exit status.
  *
- * Limits: POSIX only. The child ends with the parent (it cannot write into a
- * closed pipe), and is killed if the parent gives up.
+ * Limits: POSIX only. The child ends with the parent, because it cannot write into a closed pipe,
+ * and is killed if the parent gives up.
  */
 
 #ifndef Isolated_h
@@ -35,7 +34,7 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// What `read` returns, computed in a child process; throws Failure as `read` does, and if the
+/// Runs `read` in a child process and returns its result. Throws Failure if `read` does, or if the
 /// child crashes or exceeds its limits.
 vtkSmartPointer<vtkPolyData> ReadIsolated(const std::function<vtkSmartPointer<vtkPolyData>()>& read,
   const ChildLimits& limits, VtkMessages& messages, Progress& progress);

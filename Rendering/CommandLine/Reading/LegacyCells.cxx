@@ -35,7 +35,7 @@ vtkSmartPointer<vtkCellArray> ListOf(vtkDataArray* offsets, vtkDataArray* connec
   return cells;
 }
 
-/// Goes through "count, ids, count, ids, ...", of which only the first ones have been read.
+/// Parses "count, ids, count, ids, ...", of which only the first `numbersRead` have been read.
 vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cells,
   const int* numbers, vtkIdType size, vtkIdType numbersRead, ListCheck check)
 {
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   vtkIdType at = 0;
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    const vtkIdType first = at - cell; // each cell before has one number that is not an id
+    const vtkIdType first = at - cell; // each cell before this one has a number that is not an id
     offsets->SetValue(cell, first);
     const vtkIdType count = at < numbersRead ? numbers[at] : -1;
     if (count < 0 || count > numbersRead - at - 1 || count > ids - first)
@@ -76,7 +76,7 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   if (at != size)
   {
     throw Failure("the list of its " + std::to_string(cells) + " " + keyword + " has " +
-      std::to_string(at) + " numbers, and its first line says " + std::to_string(size) +
+      std::to_string(at) + " numbers, but its first line says " + std::to_string(size) +
       "; correct that line, or get a whole copy");
   }
   offsets->SetValue(cells, ids);
@@ -87,7 +87,7 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   return result;
 }
 
-/// Reads values from the next line on; `look` is given each part that was read.
+/// Reads values from the next line on, and calls `look` for each part.
 template <typename Look>
 bool ReadParts(std::istream& stream, vtkTypeInt64Array* array, vtkIdType count, const Look& look)
 {
@@ -122,7 +122,7 @@ vtkIdType LegacyCells::ReadCount(const std::string& keyword) const
   if (count < 0 || static_cast<std::uint64_t>(count) > this->FileSize)
   {
     throw Failure("it is cut short or broken: it is too small for the count of " +
-      std::to_string(count) + " behind its keyword " + keyword + "; get a whole copy of it");
+      std::to_string(count) + " after its keyword " + keyword + "; get a whole copy of it");
   }
   return count;
 }
@@ -158,7 +158,7 @@ vtkSmartPointer<vtkCellArray> LegacyCells::ReadList(const std::string& keyword) 
   const vtkIdType cells = this->ReadCount(keyword);
   const vtkIdType size = this->ReadCount(keyword);
   const auto count = static_cast<std::size_t>(size);
-  const std::unique_ptr<int[]> numbers(new int[count]); // not make_unique: it would fill them
+  const std::unique_ptr<int[]> numbers(new int[count]); // make_unique would fill it with zeros
   const std::size_t numbersRead = this->ReadNumbers(numbers.get(), count);
   return CellsOf(keyword, cells, numbers.get(), size, static_cast<vtkIdType>(numbersRead),
     ListCheck(this->Points->GetNumberOfPoints()));
@@ -177,7 +177,7 @@ bool LegacyCells::AreNextWords(const char* first, const char* second) const
   return true;
 }
 
-/// Nothing unless these are the arrays of a binary file as VTK writes them.
+/// Returns null unless these are arrays of a binary file as VTK writes them.
 vtkSmartPointer<vtkCellArray> LegacyCells::ReadInParts(vtkIdType offsets, vtkIdType ids) const
 {
   std::istream& stream = *this->Reader->GetIStream();
@@ -211,7 +211,7 @@ vtkSmartPointer<vtkCellArray> LegacyCells::ReadInParts(vtkIdType offsets, vtkIdT
   return cells;
 }
 
-/// From version 5 on, arrays of offsets and of ids.
+/// Reads the arrays of offsets and ids that files have from version 5 on.
 vtkSmartPointer<vtkCellArray> LegacyCells::ReadOffsets(const std::string& keyword) const
 {
   std::istream& stream = *this->Reader->GetIStream();
@@ -222,7 +222,7 @@ vtkSmartPointer<vtkCellArray> LegacyCells::ReadOffsets(const std::string& keywor
   if (!cells)
   {
     stream.clear();
-    stream.seekg(start); // VTK knows what else there may be
+    stream.seekg(start); // VTK reads the other variants
     if (!this->Reader->ReadCells(cells) || !cells)
     {
       throw Failure("it is cut short or broken in its " + keyword + "; get a whole copy of it");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the lists of cells in legacy VTK files
+ * @brief reads the lists of cells in legacy VTK files
  */
 
 #ifndef LegacyCells_h
@@ -22,11 +22,11 @@ class vtkPointSet;
 namespace lambent::command
 {
 
-/// Reads numbers from where a reader of VTK's stands in its file, behind a keyword.
+/// Reads numbers from the current position of a VTK reader, after a keyword.
 class LegacyCells
 {
 public:
-  /// Cells may name points of this data set, if these have been read before.
+  /// `points` is the data set whose points the cells name, if they have been read already.
   LegacyCells(vtkDataReader* reader, vtkPointSet* points, std::uint64_t fileSize)
     : Reader(reader)
     , Points(points)
@@ -34,15 +34,15 @@ public:
   {
   }
 
-  /// A count that stands behind the keyword. Throws Failure if there is none, or if the file is
-  /// too small for so many.
+  /// Reads a count after the keyword. Throws Failure if there is none, or if the file is too small
+  /// for it.
   vtkIdType ReadCount(const std::string& keyword) const;
 
-  /// The cells behind one of the keywords of lists. Throws Failure if the list is cut short, or
-  /// does not add up. What points the cells name is not looked at.
+  /// Reads the cells after a keyword. Throws Failure if the list is truncated or inconsistent. Does
+  /// not reject cells that name points that do not exist.
   vtkSmartPointer<vtkCellArray> ReadCells(const std::string& keyword) const;
 
-  /// The types behind CELL_TYPES.
+  /// Reads the types after CELL_TYPES.
   std::vector<int> ReadTypes() const;
 
 private:

@@ -18,7 +18,8 @@ namespace lambent::command
 namespace
 {
 
-/// The points of a polyhedron are "faces, points of a face, ids, points of a face, ids, ...".
+/// Whether the points of a polyhedron are valid: "number of faces, number of points of a face, ids,
+/// number of points of a face, ids, ...".
 bool IsStreamOfFaces(vtkIdType size, const vtkIdType* stream)
 {
   if (size < 1 || stream[0] < 1)
@@ -54,7 +55,7 @@ void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<
     if (type < 0 || type > 255)
     {
       throw Failure("its cell " + std::to_string(cell) + " is of type " + std::to_string(type) +
-        ", and there is no such type" + CorrectCell);
+        ", but there is no such type" + CorrectCell);
     }
     if (type == VTK_POLYHEDRON)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the cells and types of a legacy VTK file as those of a grid
+ * @brief sets the cells of a grid from a legacy VTK file
  */
 
 #ifndef LegacyGrid_h
@@ -16,8 +16,8 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// Sets the cells of the grid. Throws Failure if there are not as many types as cells, a type is
-/// not a byte, or the faces of a polyhedron do not add up.
+/// Sets the cells of the grid. Throws Failure if the numbers of types and cells differ, a type is
+/// not a byte, or the faces of a polyhedron are inconsistent.
 void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<int>& types);
 
 } // namespace lambent::command

@@ -20,7 +20,7 @@ namespace lambent::command
 namespace
 {
 
-/// The ends come first, then the nodes between them in the order of the line.
+/// The nodes are the two ends, then the inner nodes along the curve.
 void AddCurve(LinearGrid& grid)
 {
   vtkNew<vtkIdList> nodes;
@@ -33,8 +33,8 @@ void AddCurve(LinearGrid& grid)
   grid.Add(VTK_POLY_LINE, nodes->GetPointer(0), nodes->GetNumberOfIds());
 }
 
-/// Calls add(a, b, c) for each triangle between the points of a triangular lattice, where
-/// node(i, j) is the one i steps along the first side and j along the last one.
+/// Calls add(a, b, c) for each triangle of a triangular lattice, where node(i, j) is i steps along
+/// the first side and j steps along the last.
 template <typename Node, typename Add>
 void ForEachTriangle(int order, const Node& node, const Add& add)
 {
@@ -117,7 +117,8 @@ void AddWedges(LinearGrid& grid, const Orders& orders)
   }
 }
 
-/// Those with a corner at (i, j, k) and at most `left` steps from there to the far side.
+/// Adds the tetrahedra of the lattice cell at node(0, 0, 0), which is `left` steps from the far
+/// face.
 template <typename Node>
 void AddTetrahedraAt(LinearGrid& grid, const Node& node, int left)
 {
@@ -157,7 +158,7 @@ void AddTetrahedra(LinearGrid& grid, int order)
   }
 }
 
-/// The linear cell of the corners.
+/// Adds the linear cell of the corners.
 void AddLinear(LinearGrid& grid, Shape shape)
 {
   switch (shape)
@@ -222,12 +223,12 @@ vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid)
 {
   const vtkIdType count = grid->GetNumberOfCells();
   const auto shapeOf = [grid](vtkIdType cell) { return HigherOrderShape(grid->GetCellType(cell)); };
-  vtkIdType first = 0; // that is of any order
+  vtkIdType first = 0; // the first higher-order cell
   while (first < count && shapeOf(first) == Shape::Linear)
   {
     ++first;
   }
-  if (first == count || grid->CheckAttributes() != 0) // an array is too short: VTK says which
+  if (first == count || grid->CheckAttributes() != 0) // if an array is too short, VTK says which
   {
     return grid;
   }

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief cells of any order as linear cells
+ * @brief converts higher-order cells to linear cells
  *
- * A Lagrange cell of order n has nodes on a lattice with n steps to each side;
- * it becomes the linear cells between them, n^2 triangles or quadrilaterals and
- * n^3 tetrahedra, wedges or hexahedra. Neighbours share the nodes between them,
- * so their surfaces fit, and the inner ones vanish as between linear cells. An
- * octahedron between the nodes of a tetrahedron becomes four tetrahedra round
- * one of its diagonals. Pyramids, Bezier cells, whose inner nodes are not on the
- * surface, and the types 60 to 67, whose nodes have no defined order, become the
- * linear cell of their corners.
+ * The nodes of a Lagrange cell of order n form a lattice with n steps along each side. The cell is
+ * divided into the linear cells of the lattice: n^2 triangles or quadrilaterals, or n^3 tetrahedra,
+ * wedges or hexahedra. Neighbours share the nodes between them, so their surfaces match and inner
+ * faces vanish as between linear cells. An octahedron in the lattice of a tetrahedron becomes four
+ * tetrahedra around one of its diagonals.
  *
- * The result depends on the file alone. VTK draws such cells in ways that differ
- * with its version, and crashes on some.
+ * Other cells become the linear cell of their corners: pyramids, Bezier cells, whose inner nodes
+ * are not on the surface, and the types 60 to 67, whose nodes have no defined order.
+ *
+ * The result depends only on the file. VTK's own conversion differs between versions and crashes on
+ * some cells.
  */
 
 #ifndef LinearCells_h
@@ -27,9 +27,9 @@ class vtkUnstructuredGrid;
 namespace lambent::command
 {
 
-/// The grid itself if it has no cell of the types 60 to 81, or if it has arrays that are too short;
-/// otherwise one with linear cells in their place, on the same points. The cells have passed
-/// CheckCells().
+/// Returns the grid itself if it has no cell of the types 60 to 81, or if an array is too short.
+/// Otherwise returns a grid with linear cells instead, on the same points. The cells must have
+/// passed CheckCells().
 vtkSmartPointer<vtkUnstructuredGrid> WithLinearCells(vtkUnstructuredGrid* grid);
 
 } // namespace lambent::command

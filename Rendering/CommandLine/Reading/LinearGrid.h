@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a grid that is made of another, cell by cell
+ * @brief builds a grid from another one, cell by cell
  */
 
 #ifndef LinearGrid_h
@@ -21,7 +21,7 @@
 namespace lambent::command
 {
 
-/// Has the points of the other grid. Each cell that is added has the data of the one it is part of.
+/// The new grid has the points of the other one. Each added cell has the data of its source cell.
 class LinearGrid
 {
 public:
@@ -37,7 +37,7 @@ public:
     this->Result->GetCellData()->CopyAllocate(grid->GetCellData(), grid->GetNumberOfCells());
   }
 
-  /// The nodes from now on are those of this cell.
+  /// Starts a source cell, whose nodes the following cells use.
   void Begin(vtkIdType cell)
   {
     this->Cell = cell;
@@ -61,7 +61,7 @@ public:
     this->CopyData(this->Result->InsertNextCell(type, this->Ids));
   }
 
-  /// The first of the nodes.
+  /// Adds a cell of the first `count` nodes.
   void AddCorners(int type, vtkIdType count)
   {
     vtkNew<vtkIdList> nodes;
@@ -73,7 +73,7 @@ public:
     this->Add(type, nodes->GetPointer(0), count);
   }
 
-  /// The cell as it is.
+  /// Adds the source cell unchanged.
   void AddSame(int type)
   {
     if (type == VTK_POLYHEDRON)

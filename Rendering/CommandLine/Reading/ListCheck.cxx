@@ -14,7 +14,7 @@ namespace lambent::command
 namespace
 {
 
-/// In the information of the array of ids. Keys are VTK's to delete, when the process ends.
+/// The key of the note in the information of the array of ids. VTK deletes keys at exit.
 vtkInformationIdTypeKey* IdsBelow()
 {
   static vtkInformationIdTypeKey* const key =

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief check a list of cells part by part, while it is read
+ * @brief checks a list of cells in parts while it is read
  *
- * A large list that is checked once it has been read comes from memory a second
- * time, which takes a third of the time that the reading of raw numbers takes.
- * Parts that the processor still has in its cache cost next to nothing. What was
- * found is noted in the list, so that CheckCells() does not look again.
+ * Checking a large list after it has been read loads it from memory again, which takes a third of
+ * the time of reading raw numbers. Checking parts that are still in the cache costs next to
+ * nothing. The result is noted in the list, so that CheckCells() does not check it again.
  */
 
 #ifndef ListCheck_h
@@ -24,23 +23,25 @@ namespace lambent::command
 class ListCheck
 {
 public:
-  /// How many values to read at once: 128 kB, a small part of second-level caches.
+  /// The number of values to read at once: 128 kB, a small part of second-level caches.
   static constexpr vtkIdType Part = 1 << 14;
 
-  /// The ids have to be less than the number of points.
+  /// Every id must be less than the number of points.
   explicit ListCheck(vtkIdType numberOfPoints = 0)
     : NumberOfPoints(numberOfPoints)
   {
   }
 
-  /// values[begin .. end) have been read; the first offset, which is 0, is not among them.
+  /// Checks values[begin .. end), which have been read. Offsets are checked from the second on,
+  /// because the first is 0.
   void LookAtOffsets(vtkDataArray* offsets, vtkIdType begin, vtkIdType end);
   void LookAtIds(vtkDataArray* ids, vtkIdType begin, vtkIdType end);
 
-  /// The reader checks the offsets, and makes no list of them unless they increase from 0.
+  /// Call if the reader itself rejects offsets that do not increase from 0.
   void TrustOffsets() { this->AreOffsetsTrusted = true; }
 
-  /// Notes in the list made of these arrays that it is right, if all of it was seen and is.
+  /// Notes in the list made of these arrays that it is valid, if all of it was checked and is
+  /// valid.
   void Note(vtkCellArray* cells) const;
 
 private:
@@ -51,10 +52,10 @@ private:
   bool IsRight = true;
 };
 
-/// Notes in a list that its offsets are right and its ids less than that.
+/// Notes in a list that its offsets are valid and its ids less than the number of points.
 void NoteIdsBelow(vtkCellArray* cells, vtkIdType numberOfPoints);
 
-/// Whether there is such a note, for as many points or less.
+/// Whether there is such a note, for this number of points or fewer.
 bool AreIdsKnownBelow(vtkCellArray* cells, vtkIdType numberOfPoints);
 
 } // namespace lambent::command

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief points of which no two are equal, in the order in which they come first
+ * @brief distinct points, in the order of their first occurrence
  */
 
 #ifndef MergedPoints_h
@@ -17,12 +17,12 @@
 namespace lambent::command
 {
 
-/// Equal are coordinates with the same bits, and zero is equal to minus zero.
+/// Coordinates are equal if they have the same bits; zero and minus zero are equal.
 template <typename Coordinate>
 class MergedPoints
 {
 public:
-  /// The id of the point, which is added unless it is there.
+  /// Returns the id of the point, after adding it if it is new.
   std::int32_t Add(const Coordinate* coordinates)
   {
     Coordinate point[3];

@@ -29,7 +29,7 @@ enum Role
   PointCoordinates,
   PointArray,
   CellArray,
-  FirstCells // offsets and connectivity of verts, lines, polys and strips
+  FirstCells // from here on: offsets and connectivity of verts, lines, polys and strips
 };
 
 struct Header
@@ -39,7 +39,7 @@ struct Header
   int components;
   int attribute; ///< a vtkDataSetAttributes::AttributeTypes, or -1
   vtkTypeInt64 tuples;
-  std::uint64_t nameSize; ///< the name and then the values follow
+  std::uint64_t nameSize; ///< the name follows the header, then the values
 };
 
 constexpr int CellKinds = 4;
@@ -113,7 +113,7 @@ void MeshPipeWriter::Send(vtkPolyData* mesh)
       : static_cast<vtkDataSetAttributes*>(mesh->GetCellData());
     for (int k = 0; k < data->GetNumberOfArrays(); ++k)
     {
-      vtkDataArray* const array = data->GetArray(k); // null: strings
+      vtkDataArray* const array = data->GetArray(k); // null for strings
       if (array && array->GetDataType() != VTK_BIT)
       {
         this->Send(role, array->GetName(), data->IsArrayAnAttribute(k), array);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief progress, messages and a mesh through a pipe between two processes of one machine
+ * @brief sends progress, messages and a mesh through a pipe between two processes of a machine
  *
- * A message is a tag, a size, and so many bytes. A mesh is one message an array:
- * a header, then the values as they lie in memory.
+ * A message consists of a tag, a size and that many bytes. A mesh is sent as a message for each
+ * array: a header, then the values as they are in memory.
  */
 
 #ifndef MeshPipe_h
@@ -28,11 +28,11 @@ enum class MessageTag : char
   Progress = 'p', ///< a double, 0..1
   Warning = 'w',  ///< its text
   Error = 'e',    ///< its text; the last message
-  Array = 'a',    ///< of the mesh
+  Array = 'a',    ///< an array of the mesh
   End = 'z'       ///< the mesh is complete; the last message
 };
 
-/// The writing end of a pipe. What cannot be written is dropped: nobody listens any more.
+/// The write end of a pipe. Data that cannot be written is dropped, since the reader is gone.
 class MeshPipeWriter
 {
 public:
@@ -42,7 +42,7 @@ public:
   }
   void Send(MessageTag tag, const void* bytes, std::size_t size);
   void Send(MessageTag tag, const std::string& text) { this->Send(tag, text.data(), text.size()); }
-  /// Sends points, cells, and the point and cell data that consist of numbers.
+  /// Sends points, cells, and numeric point and cell data.
   void Send(vtkPolyData* mesh);
 
 private:
@@ -52,7 +52,7 @@ private:
   int File;
 };
 
-/// The reading end of a pipe.
+/// The read end of a pipe.
 class MeshPipeReader
 {
 public:
@@ -61,15 +61,16 @@ public:
   MeshPipeReader(const MeshPipeReader&) = delete;
   MeshPipeReader& operator=(const MeshPipeReader&) = delete;
 
-  /// The tag of the next message; false at the end of the pipe, also where it ends too early.
+  /// Reads the tag of the next message. Returns false at the end of the pipe, even if that is
+  /// early.
   bool Next(MessageTag& tag);
 
-  /// The content of a message; of arrays TakeArray() instead.
+  /// These read the content of a message; which one to call depends on its tag.
   std::string TakeText();
   double TakeNumber();
   void TakeArray();
 
-  /// The mesh of all arrays; throws Failure if they do not make one.
+  /// Makes the mesh from all arrays. Throws Failure if they do not form one.
   vtkSmartPointer<vtkPolyData> MakeMesh();
 
 private:

@@ -46,7 +46,8 @@ void MshCursor::Fail(const std::string& what) const
   const std::string where = this->IsBinary
     ? "byte " + std::to_string(this->At - this->Begin)
     : "line " + std::to_string(1 + std::count(this->Begin, this->At, '\n'));
-  throw Failure(where + ": " + what + "; is it whole, and of the kind that its name tells?");
+  throw Failure(
+    where + ": " + what + "; check that the file is complete and has the right extension");
 }
 
 void MshCursor::SkipSpace()
@@ -128,7 +129,7 @@ Value MshCursor::TakeText(const char* what, const Read& read)
   const char* const behind = read(this->At, value);
   if (behind == this->At || (behind != this->End && !IsSpace(*behind)))
   {
-    this->Fail("there is no number where " + std::string(what) + " is due");
+    this->Fail("there is no number where " + std::string(what) + " is expected");
   }
   this->At = behind;
   return value;

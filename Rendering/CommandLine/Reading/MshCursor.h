@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief goes through the sections and numbers of a file of Gmsh, text or binary
+ * @brief reads the sections and numbers of a Gmsh file, text or binary
  *
- * Every number is taken behind a check that the file has it, so that a count need
- * not be believed: what it promises is taken one by one.
+ * The cursor checks that the file holds each number before reading it. Counts are never trusted,
+ * because items are read one by one.
  */
 
 #ifndef MshCursor_h
@@ -20,7 +20,7 @@
 namespace lambent::command
 {
 
-/// Throws Failure with the line, or in binary files the byte.
+/// Every Failure thrown names the line or, in binary files, the byte.
 class MshCursor
 {
 public:
@@ -29,25 +29,26 @@ public:
   void SetBinary(bool isSwapped);
   bool GetBinary() const { return this->IsBinary; }
 
-  /// Goes behind the next line that begins with '$'. Returns the rest of it; empty at the end.
+  /// Moves past the next line that begins with '$'. Returns the word after the '$'; empty at the
+  /// end of the file.
   std::string TakeSection();
-  /// Goes behind the end of the section, wherever it is.
+  /// Moves past the end of the section, wherever it is.
   void SkipSection(const std::string& name);
-  /// Goes behind the end of the section, which comes next.
+  /// Moves past the end of the section, which must come next.
   void EndSection(const std::string& name);
 
-  /// The next number, which a message calls `what`. In binary files whole numbers are of 32 bits
-  /// (TakeInt) or of 64 (TakeSize).
+  /// These read the next number; messages call it `what`. In binary files TakeInt() reads 32 bits
+  /// and TakeSize() 64.
   std::int64_t TakeInt(const char* what);
   std::int64_t TakeSize(const char* what);
   double TakeNumber(const char* what);
-  /// TakeSize() that is not negative.
+  /// Like TakeSize(), but fails if the number is negative.
   std::int64_t TakeCount(const char* what);
 
-  /// The same in text, whatever the file is; and to the end of the line.
+  /// These read text, even in binary files.
   std::int64_t TakeTextInt(const char* what);
   double TakeTextNumber(const char* what);
-  /// TakeTextInt() that is not negative, and the rest of its line.
+  /// Like TakeTextInt(), but fails if the number is negative, and skips the rest of the line.
   std::int64_t TakeLineCount(const char* what);
   void SkipLine();
 

@@ -103,7 +103,7 @@ void NumberedMesh::EndPart()
   this->Elements.clear();
 }
 
-/// They would count for the bounds of the mesh.
+/// Unused nodes would enlarge the bounds of the mesh.
 void NumberedMesh::DropUnusedNodes()
 {
   std::vector<std::int64_t> ids(this->Coordinates.size() / 3, -1);

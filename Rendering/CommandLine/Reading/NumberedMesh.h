@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief nodes and elements with numbers of their own, as files of simulations have them
+ * @brief a mesh of numbered nodes and elements, as in simulation files
  *
- * Elements name nodes by any numbers, in any order, before or after the nodes
- * themselves. The nodes of a part are sorted by number once, when it is whole.
+ * Elements name nodes by arbitrary numbers, in any order, before or after the nodes themselves. The
+ * nodes of a part are sorted by number once, when the part is complete.
  */
 
 #ifndef NumberedMesh_h
@@ -23,9 +23,9 @@ class vtkPointSet;
 namespace lambent::command
 {
 
-/// What is drawn of an element: the linear cell of its corners, which come first of its nodes. A
-/// triangle, quadrilateral, tetrahedron, pyramid or hexahedron has them in the order of VTK, a
-/// wedge has its first triangle the other way round: it is seen from inside.
+/// The cell drawn for an element: the linear cell of its corners, which are its first nodes. The
+/// corners of a triangle, quadrilateral, tetrahedron, pyramid or hexahedron are in VTK's order. The
+/// triangles of a wedge have the opposite orientation to VTK's.
 struct ElementShape
 {
   int cellType = VTK_EMPTY_CELL;
@@ -35,21 +35,22 @@ struct ElementShape
 class NumberedMesh
 {
 public:
-  /// If `isLast`, the last node of several with one number counts; otherwise that is an error.
+  /// If `isLast`, the last of several nodes with the same number is used; otherwise several are an
+  /// error.
   explicit NumberedMesh(bool isLast)
     : IsLast(isLast)
   {
   }
 
   void AddNode(std::int64_t number, const double coordinates[3]);
-  /// Needs at least as many nodes as the shape has corners.
+  /// There must be at least as many nodes as the shape has corners.
   void AddElement(std::int64_t number, ElementShape shape, const std::vector<std::int64_t>& nodes);
 
-  /// From now on nodes are numbered anew.
+  /// Ends a part; the next one may use the same node numbers again.
   void EndPart();
 
-  /// All parts as one grid, or if nothing in them has a volume, as polygons. Nodes that no element
-  /// names are left out, unless there are no elements.
+  /// All parts as one grid, or as polygons if all elements are triangles and quadrilaterals. Nodes
+  /// that no element names are dropped, unless there are no elements.
   vtkSmartPointer<vtkPointSet> MakeData();
 
 private:
@@ -61,16 +62,16 @@ private:
 
   void SortNodes();
   void DropUnusedNodes();
-  /// The id of the node with that number, -1 if there is none.
+  /// The id of the node with that number; -1 if there is none.
   std::int64_t FindNode(std::int64_t number) const;
 
   bool IsLast;
   std::vector<Node> Nodes;                // of this part
   std::vector<double> Coordinates;        // of all parts
-  std::vector<std::int64_t> Elements;     // the numbers of those of this part
+  std::vector<std::int64_t> Elements;     // the element numbers of this part
   std::vector<unsigned char> Types;       // of all parts
   std::vector<std::int64_t> Offsets{ 0 }; // of all parts
-  std::vector<std::int64_t> Connectivity; // ids, and behind them the numbers of this part
+  std::vector<std::int64_t> Connectivity; // ids of ended parts, then node numbers of this part
 };
 
 } // namespace lambent::command

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from the indices in an OBJ file to ids, each of which is checked
+ * @brief converts the indices in an OBJ file to checked ids
  *
- * A negative index counts back from the line that it is in. A positive one may
- * name what follows later in the file, so that it can only be judged at the end.
- * Of those that are ahead of the file so far, the growing maxima are kept with
- * their lines: the first of them that is too large in the end is also the first
- * index in the file that is.
+ * A negative index counts back from its line. A positive index may name an item later in the file,
+ * so it can only be checked at the end. Of the indices that are ahead of the items read so far, the
+ * running maxima are kept with their lines. The first of these that is too large at the end is also
+ * the first such index in the file.
  */
 
 #ifndef ObjIndices_h
@@ -25,17 +24,17 @@ namespace lambent::command
 class ObjIndices
 {
 public:
-  /// What the indices name, for messages: "normal" and the keyword "vn".
+  /// The noun and the keyword of the items, for messages, such as "normal" and "vn".
   ObjIndices(const char* noun, const char* keyword)
     : Noun(noun)
     , Keyword(keyword)
   {
   }
 
-  /// The file has one more. Throws Failure if there are more than an id can count.
+  /// Counts one more item. Throws Failure if there are more than ids can count.
   void Add();
 
-  /// The id, from 0, for an index in that line. Throws Failure if the index cannot be right.
+  /// The id, from 0, for an index in that line. Throws Failure if the index is surely invalid.
   std::int32_t Resolve(std::int64_t index, std::size_t line);
 
   /// At the end of the file: throws Failure if an index was too large.
@@ -73,7 +72,7 @@ inline std::int32_t ObjIndices::Resolve(std::int64_t index, std::size_t line)
   {
     this->Fail(index, line);
   }
-  return static_cast<std::int32_t>(index - 1); // if it is cut off, CheckAll() throws
+  return static_cast<std::int32_t>(index - 1); // if it does not fit, CheckAll() throws
 }
 
 } // namespace lambent::command

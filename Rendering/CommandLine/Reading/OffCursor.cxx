@@ -44,7 +44,7 @@ OffCursor::OffCursor(const FileBytes& file)
 void OffCursor::Fail(const std::string& what) const
 {
   throw Failure("line " + std::to_string(this->Line) + ": " + what +
-    "; is it whole, and of the kind that its name tells?");
+    "; check that the file is complete and has the right extension");
 }
 
 bool OffCursor::Skip()

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief goes through the words and numbers of an OFF file, and knows the line
+ * @brief reads the words and numbers of an OFF file, and tracks the line
  */
 
 #ifndef OffCursor_h
@@ -16,23 +16,23 @@
 namespace lambent::command
 {
 
-/// Lines end with LF, CR LF or CR; from '#' on they are comment. Throws Failure with the line.
+/// Lines end with LF, CR LF or CR, and '#' starts a comment. Every Failure thrown names the line.
 class OffCursor
 {
 public:
   explicit OffCursor(const FileBytes& file);
 
-  /// To the next that is neither space nor comment; false at the end.
+  /// Skips space and comments. Returns false at the end.
   bool Skip();
 
-  /// To the end of the line.
+  /// Moves to the end of the line.
   void SkipLine();
 
-  /// The letters that come next, in capitals, with a digit in front of them if there is one;
-  /// empty if a number comes next.
+  /// Reads the letters that come next, in capitals, with any digits before them. Returns an empty
+  /// string if a number comes next.
   std::string TakeWord();
 
-  /// The next number; `owner` and `index` say in a message what it is for.
+  /// These read the next number; messages name what it belongs to by `owner` and `index`.
   double TakeNumber(const char* owner, long long index);
   long long TakeWhole(const char* owner, long long index);
 

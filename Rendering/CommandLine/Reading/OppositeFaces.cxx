@@ -11,8 +11,8 @@ namespace lambent::command
 namespace
 {
 
-/// The points of a face from the smallest one on, in the direction of its smaller neighbour. So
-/// both ways round are the same ring.
+/// The points of a face, starting at the smallest id, in the direction of its smaller neighbour.
+/// Faces with opposite orientations have the same ring.
 class Ring
 {
 public:

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which faces of a mesh have the same points as one before them, the other way round
+ * @brief finds faces with the same points as an earlier face in the opposite orientation
  *
- * Thin sheets are often modelled so. Smooth normals of both sides together would
- * cancel down to rounding noise.
+ * Thin sheets are often modelled this way. If both sides were averaged, their smooth normals would
+ * cancel to rounding noise.
  */
 
 #ifndef OppositeFaces_h
@@ -18,7 +18,7 @@
 namespace lambent::command
 {
 
-/// For each face, whether the first face on the same ring of points runs the other way round.
+/// For each face, whether the first face on the same ring of points has the opposite orientation.
 std::vector<bool> FindOppositeFaces(const CellLists& faces);
 
 } // namespace lambent::command

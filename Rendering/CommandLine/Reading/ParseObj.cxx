@@ -17,7 +17,7 @@ namespace lambent::command
 namespace
 {
 
-/// What a face, line or point element names: ids, or NoKey.
+/// The ids that a corner of a face, line or point element names, or NoKey.
 struct Corner
 {
   std::int32_t point;
@@ -52,7 +52,7 @@ private:
   ObjIndices PointIndices{ "point", "v" };
   ObjIndices TextureIndices{ "texture coordinate", "vt" };
   ObjIndices NormalIndices{ "normal", "vn" };
-  std::vector<Corner> Corners; ///< of the line
+  std::vector<Corner> Corners; ///< of the current line
   std::unordered_map<std::int64_t, std::int32_t> GroupOfNumber;
   std::int32_t Group = 0;
   bool HasGroups = false;
@@ -80,7 +80,7 @@ ObjContent ObjParser::Parse(const std::function<void(double)>& progress)
   return std::move(this->Content);
 }
 
-/// All other lines (names of groups and materials, free-form geometry) are passed over.
+/// Other lines (names of groups and materials, free-form geometry) are skipped.
 void ObjParser::ParseLine(std::string_view keyword)
 {
   if (keyword == "v")
@@ -95,7 +95,7 @@ void ObjParser::ParseLine(std::string_view keyword)
   {
     this->ParseNormal();
   }
-  else if (keyword == "f" || keyword == "fo") // "fo" stands in old files
+  else if (keyword == "f" || keyword == "fo") // old files have "fo"
   {
     this->ParseFace();
   }
@@ -117,7 +117,7 @@ void ObjParser::ParseLine(std::string_view keyword)
   }
 }
 
-/// The numbers up to the end of the line; at most so many are kept. Returns how many are.
+/// Reads the numbers up to the end of the line and keeps at most `most`. Returns how many it kept.
 int ObjParser::TakeNumbers(double* values, int least, int most, const char* what)
 {
   int count = 0;
@@ -142,7 +142,7 @@ float ObjParser::ToFloat(double value) const
 {
   if (std::fabs(value) > static_cast<double>(std::numeric_limits<float>::max()))
   {
-    throw this->Cursor.FailureHere("it has a number beyond what a float can hold");
+    throw this->Cursor.FailureHere("it has a number beyond the range of a float");
   }
   return static_cast<float>(value);
 }
@@ -155,7 +155,7 @@ void ObjParser::ParsePoint()
   std::vector<float>& colors = this->Content.colors;
   if (count >= 6 || !colors.empty())
   {
-    colors.resize(this->Content.points.size(), 1.0f); // where others have none: white
+    colors.resize(this->Content.points.size(), 1.0f); // earlier points without a colour are white
     for (int i = 3; i < 6; ++i)
     {
       colors.push_back(count >= 6 ? this->ToFloat(values[i]) : 1.0f);
@@ -227,8 +227,8 @@ Corner ObjParser::TakeCorner()
   }
   if (!isThere[0] || !this->Cursor.IsBehindNumber(at))
   {
-    throw this->Cursor.FailureHere(
-      this->Cursor.QuotedWord() + " where a corner like 1, 1/1, 1//1 or 1/1/1 is due");
+    throw this->Cursor.FailureHere("found " + this->Cursor.QuotedWord() +
+      " where a corner like 1, 1/1, 1//1 or 1/1/1 is expected");
   }
   const std::size_t line = this->Cursor.Line();
   this->Cursor.MoveTo(at);
@@ -238,7 +238,8 @@ Corner ObjParser::TakeCorner()
     isThere[2] ? this->NormalIndices.Resolve(index[2], line) : NoKey };
 }
 
-/// The corners up to the end of the line. False if they are too few, and the cell is left out.
+/// Reads the corners up to the end of the line. If there are too few, skips the cell and returns
+/// false.
 bool ObjParser::TakeCell(CellLists& cells, std::size_t least)
 {
   this->Corners.clear();
@@ -260,7 +261,7 @@ bool ObjParser::TakeCell(CellLists& cells, std::size_t least)
   return true;
 }
 
-/// Appends keys to those of all corners before; they come into being with the first that is one.
+/// Appends the keys of the corners. The list stays empty until the first key that is not NoKey.
 void Append(std::vector<std::int32_t>& keys, const std::vector<Corner>& corners,
   std::int32_t Corner::*key, std::size_t cornersBefore)
 {

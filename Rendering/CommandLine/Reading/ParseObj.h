@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from the text of an OBJ file to its points, normals, texture coordinates and faces
+ * @brief parses the points, normals, texture coordinates and faces of an OBJ file
  *
- * Line by line, and every number and every index is checked. What becomes of it
- * is in ReadObj.h.
+ * The text is parsed line by line, and every number and every index is checked. ReadObj.h describes
+ * the mesh made from it.
  *
  * Reference: Wavefront Technologies, "Object Files (.obj)", Advanced Visualizer
  * manual, appendix B1.
@@ -37,23 +37,23 @@ struct ObjContent
   CellLists lines;
   CellLists vertices;
 
-  /// The ids that the corners of the faces name, or NoKey; empty if no corner names any.
+  /// The id named by each corner of the faces, or NoKey; empty if no corner names any.
   std::vector<std::int32_t> textureOfCorner;
   std::vector<std::int32_t> normalOfCorner;
 
-  /// The smoothing group of each face, 0 where it is off; empty if no 's' precedes any face.
-  /// The groups are numbered from 1 in the order in which they come.
+  /// The smoothing group of each face, 0 if smoothing is off; empty if no 's' precedes any face.
+  /// The groups are numbered from 1 in the order of their first occurrence.
   std::vector<std::int32_t> groupOfFace;
   std::int32_t numberOfGroups = 0;
 
-  std::size_t cellsOfTooFewPoints = 0; ///< faces of 1 or 2, lines of 1; they are left out
-  std::size_t freeFormSurfaces = 0;    ///< they are left out
+  std::size_t cellsOfTooFewPoints = 0; ///< skipped: faces of 1 or 2 points, lines of 1
+  std::size_t freeFormSurfaces = 0;    ///< skipped
 
   std::size_t numberOfPoints() const { return this->points.size() / 3; }
 };
 
-/// Throws Failure with the line if a number is none, or an index names nothing. A zero byte must
-/// follow the text.
+/// Throws Failure with the line if a number is invalid, or an index names an item that does not
+/// exist. A zero byte must follow the text.
 ObjContent ParseObj(std::string_view text, const std::function<void(double)>& progress);
 
 } // namespace lambent::command

@@ -40,7 +40,7 @@ private:
   StlText Content;
 };
 
-/// Goes behind the keyword, and to the next word, if it is the word here.
+/// If the next word is the keyword, moves to the word after it and returns true.
 bool StlTextParser::Take(std::string_view keyword)
 {
   const char* const begin = this->Cursor.Position();
@@ -56,8 +56,9 @@ bool StlTextParser::Take(std::string_view keyword)
 Failure StlTextParser::NotDue(const std::string& due) const
 {
   return this->Cursor.IsAtEnd()
-    ? this->Cursor.FailureHere("it is cut short: it ends where " + due + " is due")
-    : this->Cursor.FailureHere(this->Cursor.QuotedWord() + " where " + due + " is due");
+    ? this->Cursor.FailureHere("it is cut short: it ends where " + due + " is expected")
+    : this->Cursor.FailureHere(
+        "found " + this->Cursor.QuotedWord() + " where " + due + " is expected");
 }
 
 void StlTextParser::Require(std::string_view keyword)
@@ -76,10 +77,10 @@ bool IsKeyword(std::string_view word)
     [word](std::string_view keyword) { return IsWord(word, keyword); });
 }
 
-/// Behind the words "outer loop".
+/// Moves past the words "outer loop".
 void StlTextParser::SkipNormal()
 {
-  constexpr int mostWords = 8; // the keyword, three numbers, and some more for bad ones
+  constexpr int mostWords = 8; // "normal", three numbers, and some more for invalid ones
   for (int i = 0; !this->Take("outer"); ++i)
   {
     const char* const begin = this->Cursor.Position();
@@ -120,7 +121,7 @@ void StlTextParser::ParseFacet()
 StlText StlTextParser::Parse(const std::function<void(double)>& progress)
 {
   constexpr std::size_t facetsBetweenProgress = 16384;
-  bool isInSolid = true; // some files leave out the first "solid"
+  bool isInSolid = true; // some files lack the first "solid"
   this->Cursor.SkipSpace();
   while (!this->Cursor.IsAtEnd())
   {
@@ -134,7 +135,7 @@ StlText StlTextParser::Parse(const std::function<void(double)>& progress)
       {
         progress(this->Cursor.Fraction());
       }
-      continue; // it has skipped the space
+      continue; // ParseFacet() has skipped the space
     }
     const bool isSolid = IsWord(word, "solid");
     if (!isSolid && !IsWord(word, "endsolid"))
@@ -148,7 +149,7 @@ StlText StlTextParser::Parse(const std::function<void(double)>& progress)
       break;
     }
     isInSolid = isSolid;
-    this->Cursor.NextLine(); // behind the name
+    this->Cursor.NextLine(); // skip the name
     this->Cursor.SkipSpace();
   }
   if (isInSolid)
@@ -162,7 +163,7 @@ StlText StlTextParser::Parse(const std::function<void(double)>& progress)
 
 bool IsStlText(std::string_view file)
 {
-  constexpr std::size_t nearStart = 1024; // a binary file has its count and three zeros there
+  constexpr std::size_t nearStart = 1024; // a binary file has its count there, with zero bytes
   if (file.substr(0, nearStart).find('\0') != std::string_view::npos)
   {
     return false;

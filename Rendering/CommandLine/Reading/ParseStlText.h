@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from the text of an STL file to its points and facets
+ * @brief parses the points and facets of an STL text file
  *
  *     solid NAME
  *       facet normal nx ny nz
  *         outer loop
- *           vertex x y z       (three times, or more often)
+ *           vertex x y z       (three times or more)
  *         endloop
  *       endfacet
  *     endsolid NAME
  *
- * Keywords may be in capitals, and line ends are blanks but for those behind a
- * name. What stands where the normal should be is not looked at: writers put nan
- * and worse there.
+ * Keywords may be in capitals. Line ends are blanks, except after a name. The normal is ignored,
+ * because some programs write nan or other text there.
  */
 
 #ifndef ParseStlText_h
@@ -33,14 +32,14 @@ struct StlText
 {
   MergedPoints<double> points;
   CellLists facets;
-  std::size_t ignoredFrom = 0; ///< the line from which on all is ignored; 0 if none is
+  std::size_t ignoredFrom = 0; ///< the first line of the ignored rest; 0 if there is none
 };
 
-/// Whether the file begins as a text does.
+/// Whether the file begins like an STL text.
 bool IsStlText(std::string_view file);
 
-/// Throws Failure, with the line, if something else is there than what is due, or the text ends
-/// within a solid. A zero byte must follow the text.
+/// Throws Failure with the line at an unexpected word, or if the text ends within a solid. A zero
+/// byte must follow the text.
 StlText ParseStlText(std::string_view text, const std::function<void(double)>& progress);
 
 } // namespace lambent::command

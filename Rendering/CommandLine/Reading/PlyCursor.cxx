@@ -33,7 +33,7 @@ PlyCursor::PlyCursor(std::string_view file, const PlyHeader& header)
 
 bool PlyCursor::CanHold(double count, PlyType type) const
 {
-  // In text a value takes a digit and, but for the last one, a space.
+  // In text every value takes a digit and a space, except the last, which needs no space.
   const double bytes = this->IsText ? 2.0 : static_cast<double>(PlySize(type));
   const char* const at = this->IsText ? this->Text.Position() : this->At;
   return count >= 0 && count * bytes <= static_cast<double>(this->End - at + 1);

@@ -3,10 +3,10 @@
 
 /**
  * @file
- * @brief goes through the values behind the header of a PLY file
+ * @brief reads the values after the header of a PLY file
  *
- * In text an element has a line of its own. Numbers left over on a line are passed
- * over and counted. An element may go on in the next line, too.
+ * In text files each item of an element starts a new line and may continue on the next. Excess
+ * numbers on a line are skipped and counted.
  */
 
 #ifndef PlyCursor_h
@@ -27,20 +27,20 @@ public:
   /// A zero byte must follow the file.
   PlyCursor(std::string_view file, const PlyHeader& header);
 
-  /// Whether what is left can hold so many values of a type.
+  /// Whether the rest of the file can hold this many values of the type.
   bool CanHold(double count, PlyType type) const;
 
-  /// The next value (every type of PLY fits a double). False if the file ends before it;
-  /// throws Failure if the text has something else there.
+  /// Reads the next value (every PLY type fits a double). Returns false if the file ends before it;
+  /// throws Failure if a text file has no number there.
   bool Next(PlyType type, double& value);
 
-  /// An item of an element has all its values: goes to the end of the line if it is text.
+  /// Call after the last value of an item. In text files, moves to the end of the line.
   void EndItem();
 
-  /// How many numbers have been passed over, and the first line in which there were any.
+  /// The number of skipped words, and the first line that had any.
   std::size_t GetLeftOver() const { return this->LeftOver; }
   std::size_t GetFirstLineWithMore() const { return this->FirstLineWithMore; }
-  /// How many bytes are left, but for blanks.
+  /// The number of bytes left; 0 if they are all blanks.
   std::size_t BytesBehind();
 
 private:
@@ -48,8 +48,8 @@ private:
   bool Take(double& value);
   bool TakeText(double& value);
 
-  TextCursor Text; ///< goes through a text
-  const char* At;  ///< goes through a binary file
+  TextCursor Text; ///< the position in a text file
+  const char* At;  ///< the position in a binary file
   const char* End;
   bool IsText;
   bool IsSwapped;

@@ -28,7 +28,7 @@ std::size_t FindVertexList(const PlyElement& element, const std::string& what)
   return list;
 }
 
-/// Takes the vertex lists of the faces.
+/// Collects the vertex lists of the faces.
 template <typename IdArray>
 struct FaceSink
 {
@@ -80,7 +80,7 @@ void ReadFaces(PlyCursor& cursor, const PlyElement& element,
   mesh->SetPolys(polygons);
 }
 
-/// Takes the strips out of the lists.
+/// Collects the strips from the lists.
 struct StripSink
 {
   std::size_t list; ///< the property that holds them
@@ -138,7 +138,7 @@ void ReadPlyStrips(PlyCursor& cursor, const PlyElement& element,
   Walk(cursor, element, progress, sink);
   if (sink.tooShort > 0)
   {
-    vtkGenericWarningMacro(<< "triangle strips of fewer than 3 points are left out; it has "
+    vtkGenericWarningMacro(<< "triangle strips of fewer than 3 points are skipped; it has "
                            << sink.tooShort << " of them");
   }
   mesh->SetStrips(MakeCellArray(sink.strips));

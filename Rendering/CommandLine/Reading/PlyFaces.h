@@ -3,7 +3,7 @@
 
 /**
  * @file
- * @brief the faces and triangle strips of a PLY file
+ * @brief reads the faces and triangle strips of a PLY file
  */
 
 #ifndef PlyFaces_h
@@ -19,12 +19,12 @@ namespace lambent::command
 class PlyCursor;
 struct PlyElement;
 
-/// Gives the mesh polygons from the element "face"; their ids are of 32 bits or of 64.
+/// Sets the polygons of the mesh from the element "face", with ids of 32 or 64 bits.
 void ReadPlyFaces(PlyCursor& cursor, const PlyElement& element, bool idsAreShort,
   const std::function<void(double)>& progress, vtkPolyData* mesh);
 
-/// Gives the mesh strips from the element "tristrips". It is one list, mostly, in which -1 ends a
-/// strip. Strips of fewer than 3 points are left out, and a warning counts them.
+/// Sets the strips of the mesh from the element "tristrips", which is usually a single list where
+/// -1 ends each strip. Strips of fewer than 3 points are skipped with a warning.
 void ReadPlyStrips(PlyCursor& cursor, const PlyElement& element,
   const std::function<void(double)>& progress, vtkPolyData* mesh);
 

@@ -84,7 +84,7 @@ std::size_t PlySize(PlyType type)
 namespace
 {
 
-/// The last byte of a line end. Before a '\n' a '\r' does not matter.
+/// The last byte of a line end. A '\r' before a '\n' does not matter.
 char LineEndOf(std::string_view file)
 {
   const std::size_t first = file.find_first_of("\r\n");
@@ -139,11 +139,11 @@ PlyHeader ParsePlyHeader(std::string_view file)
     {
       header.elements.back().properties.push_back(ReadProperty(words));
     }
-    // Anything else is a comment, or from a later version.
+    // Any other line is a comment, or from a later version of the format.
     const bool isRead = keyword == "format" || keyword == "element" || keyword == "property";
     if (isRead && (words.fail() || (keyword != "format" && !(words >> std::ws).eof())))
     {
-      throw Failure("line " + std::to_string(lineNumber + 1) + " of its header is not whole");
+      throw Failure("line " + std::to_string(lineNumber + 1) + " of its header is incomplete");
     }
   }
   if (!hasFormat)

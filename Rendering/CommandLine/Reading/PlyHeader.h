@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the header of a PLY file: which elements follow, and how they are laid out
+ * @brief parses the header of a PLY file, which lists the elements and their layout
  */
 
 #ifndef PlyHeader_h
@@ -35,7 +35,7 @@ enum class PlyType
   Float64
 };
 
-/// Bytes that a value takes in a binary file.
+/// The size of a value in a binary file, in bytes.
 std::size_t PlySize(PlyType type);
 
 struct PlyProperty
@@ -43,7 +43,7 @@ struct PlyProperty
   std::string name;
   PlyType type = PlyType::Float32;
   bool isList = false;
-  PlyType countType = PlyType::UInt8; ///< of the number that precedes a list
+  PlyType countType = PlyType::UInt8; ///< the type of the count before a list
 };
 
 struct PlyElement
@@ -57,12 +57,12 @@ struct PlyHeader
 {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
-  std::size_t lines = 0;      ///< how many it has
-  std::size_t bodyOffset = 0; ///< where the first element begins in the file
+  std::size_t lines = 0;      ///< the number of lines of the header
+  std::size_t bodyOffset = 0; ///< the offset of the first element in the file
 };
 
-/// Reads the header at the start of a file; throws Failure with what is wrong in it. Its lines end
-/// as the first one does, with LF, CR LF or CR: behind the last one any byte may follow.
+/// Parses the header at the start of a file. Throws Failure if it is invalid. All its lines end
+/// like the first one, with LF, CR LF or CR, since any byte may follow the last line.
 PlyHeader ParsePlyHeader(std::string_view file);
 
 } // namespace lambent::command

@@ -19,11 +19,11 @@ namespace lambent::command
 namespace
 {
 
-/// Takes coordinates and normals, in the order x y z nx ny nz, from the properties of that name.
+/// Collects coordinates and normals from the properties x, y, z, nx, ny and nz.
 template <typename PointArray>
 struct VertexSink
 {
-  std::vector<int> slotOfProperty; ///< 0..5, or 6 for what is passed over
+  std::vector<int> slotOfProperty; ///< 0..5, or 6 for properties that are skipped
   std::array<double, 7> row{};
   PointArray* points;
   vtkFloatArray* normals; ///< null if there are none
@@ -74,7 +74,7 @@ void ReadVertices(PlyCursor& cursor, const PlyElement& element,
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   normals->SetName("Normals");
-  mesh->GetPointData()->SetNormals(nullptr); // those of an element of the same name before
+  mesh->GetPointData()->SetNormals(nullptr); // drop those of an earlier element "vertex"
   sink.normals = has[3] && has[4] && has[5] ? normals.Get() : nullptr;
   if (sink.normals)
   {

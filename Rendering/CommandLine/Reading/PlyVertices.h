@@ -3,7 +3,7 @@
 
 /**
  * @file
- * @brief the vertices of a PLY file
+ * @brief reads the vertices of a PLY file
  */
 
 #ifndef PlyVertices_h
@@ -19,7 +19,8 @@ namespace lambent::command
 class PlyCursor;
 struct PlyElement;
 
-/// Gives the mesh the points, and the normals if there are any; float stays float, double double.
+/// Sets the points of the mesh, and the normals if there are any. Coordinates keep their precision,
+/// float or double; normals are float.
 void ReadPlyVertices(PlyCursor& cursor, const PlyElement& element,
   const std::function<void(double)>& progress, vtkPolyData* mesh);
 

@@ -3,7 +3,7 @@
 
 /**
  * @file
- * @brief goes through the values of an element of a PLY file
+ * @brief walks through the values of an element of a PLY file
  */
 
 #ifndef PlyWalk_h
@@ -22,7 +22,7 @@ namespace lambent::command
 
 using ProgressFunction = std::function<void(double)>;
 
-/// The index of the property of that name, or else their number.
+/// The index of the property of that name, or the number of properties if there is none.
 inline std::size_t Find(const PlyElement& element, const std::string& name)
 {
   const auto found = std::find_if(element.properties.begin(), element.properties.end(),
@@ -30,8 +30,8 @@ inline std::size_t Find(const PlyElement& element, const std::string& name)
   return static_cast<std::size_t>(found - element.properties.begin());
 }
 
-/// Goes through an element: for each item, for each of its properties, sink.Begin(property,
-/// number of values) and sink.Value(property, value) for each value; then sink.EndItem().
+/// Walks through an element. For each property of each item, calls sink.Begin(property, number of
+/// values), then sink.Value(property, value) for each value. After each item, calls sink.EndItem().
 template <typename Sink>
 void Walk(
   PlyCursor& cursor, const PlyElement& element, const ProgressFunction& progress, Sink& sink)
@@ -43,7 +43,7 @@ void Walk(
     {
       throw Failure("it is cut short: it ends within " + element.name + " " + std::to_string(item) +
         " of " + std::to_string(element.count) +
-        (cursor.GetLeftOver() == 0 ? "" : "; an element has a line of its own"));
+        (cursor.GetLeftOver() == 0 ? "" : "; each element needs its own line"));
     }
   };
   for (; item < element.count && !element.properties.empty(); ++item)

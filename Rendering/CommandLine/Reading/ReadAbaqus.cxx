@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Input files of Abaqus, which other programs write, too: *NODE and *ELEMENT, in parts or not.
-// Keywords that make nodes or elements in other ways are refused, as something would be missing;
-// all others are passed over. Reference: Abaqus Keywords Reference Guide.
+// Reads *NODE and *ELEMENT, in parts or not, from Abaqus input files, which other programs write
+// too. Rejects keywords that create or move nodes or elements in other ways, because the mesh would
+// be incomplete. Skips all other keywords. Reference: Abaqus Keywords Reference Guide.
 
 #include "AbaqusTypes.h"
 #include "FileBytes.h"
@@ -24,7 +24,7 @@ namespace lambent::command
 namespace
 {
 
-/// They make nodes or elements from others, or move them.
+/// Keywords that create nodes or elements from others, or move them.
 const char* const Refused[] = { "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM" };
 
 class AbaqusReader
@@ -53,8 +53,8 @@ public:
     this->EndElement();
     if (!this->HasElements)
     {
-      throw Failure("there are no elements (*ELEMENT) in it; is it whole, and of the kind that its "
-                    "name tells?");
+      throw Failure("it has no elements (*ELEMENT); check that the file is complete and has the "
+                    "right extension");
     }
     this->Warn();
     return this->Mesh.MakeData();
@@ -70,10 +70,10 @@ private:
     Instance
   };
 
-  /// AVS UCD begins with five counts.
+  /// Fails for a file that does not begin with a keyword. AVS UCD files begin with five counts.
   [[noreturn]] void ThrowOther()
   {
-    while (!this->Lines.Text().empty() && this->Lines.Text()[0] == '#') // a comment of AVS
+    while (!this->Lines.Text().empty() && this->Lines.Text()[0] == '#') // an AVS comment
     {
       this->Lines.Next();
     }
@@ -81,10 +81,11 @@ private:
     if (!text.empty() &&
       std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }))
     {
-      throw Failure("it is a mesh of AVS (UCD), not of Abaqus; convert it with meshio to .vtu");
+      throw Failure("it is an AVS (UCD) mesh, not an Abaqus one; convert it with meshio to .vtu");
     }
-    throw Failure("it does not begin with a keyword such as *NODE, as files of Abaqus do; convert "
-                  "others of this name to one of the kinds of lambent --formats");
+    throw Failure(
+      "it does not begin with a keyword such as *NODE, as Abaqus files do; convert other "
+      ".inp files to one of the kinds that lambent --formats lists");
   }
 
   void TakeKeyword()
@@ -118,19 +119,19 @@ private:
     if (keyword.name == "INCLUDE" || (isMesh && keyword.parameters.count("INPUT") > 0))
     {
       this->Lines.Fail("*" + keyword.name +
-        " names another file, which is not read; put its lines in the place of this one");
+        " names another file, which is not read; replace this line by the lines of that file");
     }
     const auto system = keyword.parameters.find("SYSTEM");
     if (isMesh && system != keyword.parameters.end() && system->second != "R")
     {
       this->Lines.Fail("its nodes are not in rectangular coordinates (*NODE, SYSTEM=" +
-        Quoted(system->second) + "); save them in such");
+        Quoted(system->second) + "); save them in rectangular ones");
     }
     if (std::find(std::begin(Refused), std::end(Refused), keyword.name) != std::end(Refused))
     {
       this->Lines.Fail("*" + keyword.name +
-        " makes or moves nodes or elements, which is not done here; save the file with all of them "
-        "in *NODE and *ELEMENT");
+        " creates or moves nodes or elements, which is not supported; save the file with all of "
+        "them in *NODE and *ELEMENT");
     }
   }
 
@@ -207,7 +208,8 @@ private:
     if (this->LeftOut > 0)
     {
       vtkGenericWarningMacro("elements of types that are not drawn, such as "
-        << Quoted(this->FirstLeftOut) << ", are left out; they take " << this->LeftOut << " lines");
+        << Quoted(this->FirstLeftOut) << ", are skipped; they take up " << this->LeftOut
+        << " lines");
     }
     if (this->HasMovedInstance)
     {
@@ -222,7 +224,7 @@ private:
   Data Next = Data::Other;
   AbaqusType Type;
   std::string TypeName;
-  std::vector<std::int64_t> Numbers; // of an element and its nodes, as far as they are read
+  std::vector<std::int64_t> Numbers; // the numbers read so far of an element and its nodes
   bool HasElements = false;
   bool HasMovedInstance = false;
   std::size_t LeftOut = 0;

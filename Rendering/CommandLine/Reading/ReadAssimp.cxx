@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The meshes of a scene that assimp reads, each as often as nodes show it, where these put it.
-// Colours, textures, bones and animations are left out. In kinds that give each face points of its
-// own, those that differ in nothing else become one, so that computed normals are smooth across
-// them.
+// Reads the meshes of a scene with assimp. Each mesh appears once for every node that refers to it,
+// with that node's transform. Colours, textures, bones and animations are ignored. In formats that
+// give each face its own points, identical points are merged, so that computed normals are smooth
+// across faces.
 
 #include "FileKinds.h"
 #include "Messages.h"
@@ -41,7 +41,7 @@ public:
   explicit SceneMesh(const aiScene* scene)
     : Scene(scene)
   {
-    // Normals of some points only would leave the others without.
+    // The mesh has normals for all of its points or for none.
     this->HasNormals = std::all_of(scene->mMeshes, scene->mMeshes + scene->mNumMeshes,
       [](const aiMesh* mesh) { return mesh->HasNormals(); });
     this->Normals->SetNumberOfComponents(3);
@@ -118,8 +118,8 @@ private:
   vtkNew<vtkCellArray> Polygons;
 };
 
-/// While it lives, assimp's warnings of faces and indices that it leaves out are warnings here. The
-/// others are of materials, animations, and the like.
+/// During its lifetime, forwards assimp's warnings about skipped faces and indices as VTK warnings.
+/// Other warnings are about materials, animations and the like.
 class GeometryWarnings
 {
 public:
@@ -127,7 +127,7 @@ public:
   {
     constexpr unsigned int severity = Assimp::Logger::Warn | Assimp::Logger::Err;
     Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
-    Assimp::DefaultLogger::get()->attachStream(new Stream, severity); // the logger's from now on
+    Assimp::DefaultLogger::get()->attachStream(new Stream, severity); // the logger takes ownership
   }
   ~GeometryWarnings() { Assimp::DefaultLogger::kill(); }
   GeometryWarnings(const GeometryWarnings&) = delete;
@@ -159,7 +159,7 @@ vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string& path, VtkMessages&,
   const GeometryWarnings warnings;
   Assimp::Importer importer;
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, LeftOut);
-  // glTF names its points by index, so that points of equal place are apart on purpose.
+  // glTF indexes its points, so points at the same position are separate on purpose.
   const std::string extension = ExtensionOf(path);
   const unsigned int join = extension == ".gltf" || extension == ".glb"
     ? 0U
@@ -168,8 +168,8 @@ vtkSmartPointer<vtkDataObject> ReadAssimp(const std::string& path, VtkMessages&,
     importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_ValidateDataStructure | join);
   if (!scene || !scene->mRootNode)
   {
-    throw Failure(
-      OneLine(importer.GetErrorString()) + "; is it whole, and of the kind that its name tells?");
+    throw Failure(OneLine(importer.GetErrorString()) +
+      "; check that the file is complete and has the right extension");
   }
   SceneMesh mesh(scene);
   mesh.AddNode(scene->mRootNode, aiMatrix4x4());

@@ -22,7 +22,7 @@ namespace
 using Names = std::vector<std::string>;
 using Root = vtkSmartPointer<vtkXMLDataElement>;
 
-constexpr int MostLevels = 16; // of files that name files that name files
+constexpr int MostLevels = 16; // of nested files
 
 Root ParseXml(const std::string& path, VtkMessages& messages)
 {
@@ -30,13 +30,13 @@ Root ParseXml(const std::string& path, VtkMessages& messages)
   const std::string error = messages.TakeError();
   if (!root || !error.empty() || std::string(root->GetName()) != "VTKFile")
   {
-    throw Failure((error.empty() ? "it is not one of VTK's XML files" : error) +
-      "; is it whole, and of the kind that its name tells?");
+    throw Failure((error.empty() ? "it is not a VTK XML file" : error) +
+      "; check that the file is complete and has the right extension");
   }
   return root;
 }
 
-/// Calls visit(element) for all elements of a name, in the order of the file.
+/// Calls visit(element) for all elements of that name, in file order.
 template <typename Visit>
 void ForEach(vtkXMLDataElement* element, const std::string& name, const Visit& visit)
 {
@@ -50,7 +50,7 @@ void ForEach(vtkXMLDataElement* element, const std::string& name, const Visit& v
   }
 }
 
-/// The values of an attribute of all elements of a name; empty blocks have none.
+/// The values of an attribute of all elements of that name. Empty blocks have no such attribute.
 Names AttributesOf(vtkXMLDataElement* root, const char* element, const char* attribute)
 {
   Names names;
@@ -77,7 +77,7 @@ vtkSmartPointer<vtkDataObject> ReadParts(
   return blocks;
 }
 
-/// The names of the data sets of the earliest time.
+/// The names of the data sets of the earliest time step.
 Names FirstTime(vtkXMLDataElement* root)
 {
   Names names;
@@ -107,7 +107,7 @@ Names FirstTime(vtkXMLDataElement* root)
 vtkSmartPointer<vtkDataObject> ReadPart(const std::string& owner, const std::string& name,
   ReadFunction read, VtkMessages& messages, Progress& progress)
 {
-  static int level = 0; // the parts of a file are read one after the other
+  static int level = 0; // static is safe, because the parts of a file are read sequentially
   const std::string path = (std::filesystem::path(owner).parent_path() / name).string();
   try
   {
@@ -129,7 +129,7 @@ vtkSmartPointer<vtkDataObject> ReadPart(const std::string& owner, const std::str
   }
   catch (const std::exception& reason)
   {
-    level = 0; // nothing more is read
+    level = 0; // reading ends here
     throw Failure("its part '" + name + "': " + reason.what());
   }
 }
@@ -139,7 +139,8 @@ std::vector<std::string> PiecesIn(const std::string& path, VtkMessages& messages
   const Names names = AttributesOf(ParseXml(path, messages), "Piece", "Source");
   if (names.empty())
   {
-    throw Failure("it names no pieces; is it whole, and of the kind that its name tells?");
+    throw Failure(
+      "it names no pieces; check that the file is complete and has the right extension");
   }
   return names;
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// GIFTI, the format of surfaces of brains: XML with a DataArray of points (NIFTI_INTENT_POINTSET)
+// Reads GIFTI, a format for brain surfaces: XML with a DataArray of points (NIFTI_INTENT_POINTSET)
 // and one of triangles (NIFTI_INTENT_TRIANGLE). The first array of triangles belongs to the first
-// of points, and so on; all are one mesh. Other arrays, and the matrices that lead from the
-// coordinates of the file to others, are passed over.
+// array of points, and so on; all of them form one mesh. Other arrays and the coordinate transforms
+// are ignored.
 
 #include "CellLists.h"
 #include "CheckedReader.h"
@@ -35,7 +35,7 @@ using Arrays = std::vector<std::vector<double>>;
 constexpr const char* PointSet = "NIFTI_INTENT_POINTSET";
 constexpr const char* Triangle = "NIFTI_INTENT_TRIANGLE";
 
-/// Gathers the arrays of points and triangles.
+/// Collects the arrays of points and triangles.
 class GiftiParser
   : public vtkXMLParser
   , public CheckedReader
@@ -151,7 +151,7 @@ void Parse(GiftiParser* parser, const std::string& path, VtkMessages& messages)
   if (!isParsed || !error.empty() || !parser->IsGifti)
   {
     throw Failure((error.empty() ? "it is not a GIFTI file" : error) +
-      "; is it whole, and of the kind that its name tells?");
+      "; check that the file is complete and has the right extension");
   }
 }
 
@@ -160,13 +160,14 @@ void CheckCounts(const GiftiParser& parser)
   const std::size_t points = parser.Points.size(), triangles = parser.Triangles.size();
   if (points == 0 && triangles == 0)
   {
-    throw Failure("there is no surface in it, only values on one; draw the surface that it belongs "
-                  "to, often named .surf.gii");
+    throw Failure(
+      "it has no surface, only values on one; draw the surface that it belongs to, often "
+      "named .surf.gii");
   }
   if (points != triangles)
   {
     throw Failure("it has " + std::to_string(points) + " arrays of points and " +
-      std::to_string(triangles) + " of triangles; each surface needs one of both");
+      std::to_string(triangles) + " of triangles; each surface needs one of each");
   }
 }
 
@@ -183,7 +184,7 @@ void AppendPoints(const std::vector<double>& from, std::vector<double>& to)
   to.insert(to.end(), from.begin(), from.end());
   if (to.size() / 3 > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    throw Failure("it has more points than 32 bits count; split it");
+    throw Failure("it has more points than 32 bits can count; split it into several files");
   }
 }
 
@@ -199,7 +200,7 @@ void AppendTriangles(
         " names a point that does not exist; "
         "there are " +
         std::to_string(pointCount) +
-        ", from 0 on; correct it in the program that writes the file, or get a whole copy");
+        ", numbered from 0; correct it in the program that writes the file, or get a whole copy");
     }
     to.points.push_back(static_cast<std::int32_t>(firstPoint + static_cast<std::size_t>(from[k])));
     if (k % 3 == 2)

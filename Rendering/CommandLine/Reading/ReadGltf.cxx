@@ -20,9 +20,9 @@ vtkSmartPointer<vtkDataObject> ReadGltf(
   {
     if (warning.find("is required in this model") != std::string::npos)
     {
-      throw Failure(warning + "; save it without");
+      throw Failure(warning + "; save it without that extension");
     }
-    if (warning.find("is used in this model") == std::string::npos) // of materials, mostly
+    if (warning.find("is used in this model") == std::string::npos) // mostly about materials
     {
       vtkGenericWarningMacro(<< warning);
     }

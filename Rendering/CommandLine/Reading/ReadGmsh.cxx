@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The native format of Gmsh, versions 2 and 4.1, text or binary: sections between $Name and
-// $EndName, of which $MeshFormat, $Nodes and $Elements matter here. Points and lines are passed
-// over; elements of any order are drawn by their corners. Reference: the manual of Gmsh, "MSH file
-// format" and "MSH file format version 2 (Legacy)".
+// Reads Gmsh's native format, versions 2 and 4.1, text or binary. A file consists of sections
+// between $Name and $EndName, of which $MeshFormat, $Nodes and $Elements are used. Points and lines
+// are skipped; higher-order elements are reduced to their corners. Reference: Gmsh manual, "MSH
+// file format" and "MSH file format version 2 (Legacy)".
 
 #include "FileBytes.h"
 #include "GmshElements.h"
@@ -69,8 +69,9 @@ private:
   {
     if (this->Cursor.TakeSection() != "MeshFormat")
     {
-      throw Failure("it does not begin with $MeshFormat, as files of Gmsh do; convert others of "
-                    "this name with meshio");
+      throw Failure(
+        "it does not begin with $MeshFormat, as Gmsh files do; convert other .msh files "
+        "with meshio");
     }
     const double version = this->Cursor.TakeTextNumber("the version");
     const std::int64_t isBinary = this->Cursor.TakeTextInt("the kind of file");
@@ -78,8 +79,8 @@ private:
     this->IsVersion2 = version >= 2 && version < 3;
     if (!this->IsVersion2 && version != 4.1)
     {
-      throw Failure("it is of a version of the format other than 2 and 4.1; save it anew in Gmsh "
-                    "with -format msh41");
+      throw Failure("its version of the format is neither 2 nor 4.1; save it again with Gmsh's "
+                    "-format msh41");
     }
     if (isBinary < 0 || isBinary > 1 || size != 8)
     {
@@ -145,7 +146,7 @@ private:
     if (taken != count)
     {
       this->Cursor.Fail(
-        "its blocks have " + std::to_string(taken) + " nodes and not " + std::to_string(count));
+        "its blocks have " + std::to_string(taken) + " nodes instead of " + std::to_string(count));
     }
   }
 
@@ -157,7 +158,7 @@ private:
     const std::int64_t count = this->Cursor.TakeCount("the number of nodes of a block");
     if (dimension < 0 || dimension > 3 || hasParameters < 0 || hasParameters > 1)
     {
-      this->Cursor.Fail("what a block of nodes is of cannot be");
+      this->Cursor.Fail("the dimension or the parameter flag of a block of nodes is invalid");
     }
     std::vector<std::int64_t> numbers;
     for (std::int64_t node = 0; node < count; ++node)
@@ -193,7 +194,7 @@ vtkSmartPointer<vtkDataObject> ReadGmsh(const std::string& path, VtkMessages&, P
     file.begin(), file.end(), [](char c) { return c != ' ' && c != '\r' && c != '\n'; });
   if (first != file.end() && *first == '(')
   {
-    throw Failure("it is a mesh of ANSYS Fluent, not of Gmsh; convert it with meshio to .vtu");
+    throw Failure("it is an ANSYS Fluent mesh, not a Gmsh one; convert it with meshio to .vtu");
   }
   return MshReader(file, progress).Read();
 }

@@ -30,14 +30,14 @@ bool StartsWith(const std::string& text, const char* start)
   return text.rfind(start, 0) == 0;
 }
 
-/// The next word, in small letters; empty at the end of the file.
+/// The next word, in lower case; empty at the end of the file.
 std::string NextWord(vtkDataReader* reader)
 {
   char word[256];
   return reader->ReadString(word) ? reader->LowerCase(word) : "";
 }
 
-/// Goes through the parts of a data set.
+/// Reads the parts of a data set in order.
 class Parts
 {
 public:
@@ -50,12 +50,12 @@ public:
 
   const LegacyCells& GetLists() const { return this->Lists; }
 
-  /// Calls readList(keyword) for each keyword that is not common to all kinds; it returns whether
-  /// there is such a keyword. Then calls finish(), and goes on with the data of points and cells.
+  /// Calls readList(keyword) for each keyword that is not common to all types of data; it must
+  /// return whether it knows the keyword. Then calls finish() and reads the point and cell data.
   template <typename ReadList, typename Finish>
   void Read(const ReadList& readList, const Finish& finish)
   {
-    NextWord(this->Reader); // "dataset", and which
+    NextWord(this->Reader); // skip "dataset" and its type
     NextWord(this->Reader);
     std::string word = NextWord(this->Reader);
     for (; !word.empty() && !IsData(word); word = NextWord(this->Reader))
@@ -63,7 +63,7 @@ public:
       if (!this->ReadCommon(word) && !readList(word))
       {
         throw Failure("it has '" + word +
-          "' where a keyword such as POINTS has to stand; correct it in the program that writes "
+          "' where a keyword such as POINTS is expected; correct it in the program that writes "
           "the file, or get a whole copy");
       }
     }
@@ -102,7 +102,7 @@ private:
     return false;
   }
 
-  /// VTK's functions read both kinds, whichever comes first.
+  /// VTK's functions read both point and cell data, whichever comes first.
   void ReadData(const std::string& word)
   {
     if (StartsWith(word, "cell_data"))
@@ -124,7 +124,7 @@ private:
   {
     if (count != expected)
     {
-      throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", and " +
+      throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", but " +
         std::to_string(expected) + what +
         "; correct the count in the program that writes the "
         "file, or get a whole copy");
@@ -136,7 +136,7 @@ private:
   LegacyCells Lists;
 };
 
-/// Up to version 5.0, the nodes of hexahedra of any order are in another order.
+/// Up to version 5.0, the nodes of higher-order hexahedra are in a different order.
 void SortNodes(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK's readers of legacy files with checks of the cells
+ * @brief VTK's readers of legacy files, with checks of the cells
  *
- * Up to version 4 of the format the cells are one list of numbers, "count, ids,
- * count, ids, ...", of a length that the keyword's line gives. VTK's readers of
- * polygons and of unstructured grids allocate whatever that length is, take the
- * list for whole also where the file ends within it, go through counts that
- * nobody has written, and read as many types as there are cells. These readers
- * have the same parts, in VTK's own functions, and check each list before it is
- * used; the list becomes cells in one pass, which is faster than VTK's three.
+ * Up to version 4 of the format, cells are a list of numbers, "count, ids, count, ids, ...", whose
+ * length is given in the keyword's line. VTK's readers of polygons and unstructured grids allocate
+ * any length, accept a list even if the file ends within it, follow counts that were never read,
+ * and read as many types as there are cells. These readers use the same VTK functions for the other
+ * parts but check each list before it is used. They convert the list to cells in one pass, which is
+ * faster than VTK's three.
  */
 
 #ifndef ReadLegacyVtk_h
@@ -26,12 +25,12 @@
 namespace lambent::command
 {
 
-/// What a legacy file holds.
+/// The type of data in a legacy file.
 enum class LegacyType
 {
   PolyData,
   UnstructuredGrid,
-  Other ///< which has no lists of cells; or is no such file, which a reader of VTK's says
+  Other ///< has no lists of cells, or is not a legacy file, which VTK's reader reports
 };
 LegacyType LegacyTypeOf(const std::string& path);
 

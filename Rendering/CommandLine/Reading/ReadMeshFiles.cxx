@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The readers of this file run in the command's own process: each has a check of its own.
+// These readers run in the command's own process, since each checks its file. The exceptions are
+// legacy files of other types than polygons and unstructured grids (see TrustIn()).
 
 #include "CheckXmlType.h"
 #include "CheckedXmlReader.h"

@@ -31,7 +31,7 @@ namespace
 
 using Ids = std::vector<std::int32_t>;
 
-/// Points and polygons, and nothing of what is known about them.
+/// A mesh of the points and polygons, without data.
 vtkSmartPointer<vtkPolyData> MakeMesh(const ObjContent& obj)
 {
   vtkNew<vtkPoints> points;
@@ -60,7 +60,7 @@ void AppendCopies(std::vector<Value>& values, std::size_t components, const Ids&
   }
 }
 
-/// A normal of length zero is as good as none. None is left if all are such.
+/// Treats normals of length zero as missing. If all are missing, clears the list.
 void DropZeroNormals(ObjContent& obj)
 {
   bool hasAny = false;
@@ -78,16 +78,17 @@ void DropZeroNormals(ObjContent& obj)
   }
 }
 
-/// Corners at a point have the same normal if their keys are equal. A key is the id of the file's
-/// normal; or, behind those, a smoothing group; or, behind those, the other side of a group, where
-/// faces are there twice; or a negative number, of the face alone.
+/// Corners at a point have the same normal if their keys are equal. The keys count through the
+/// normals of the file, then the smoothing groups, then the opposite sides of the groups, for
+/// doubled faces. A negative key belongs to a single face.
 Ids NormalKeys(const ObjContent& obj)
 {
   const std::size_t normals = obj.normals.size() / 3;
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() - 1;
   if (normals + 2 * static_cast<std::size_t>(obj.numberOfGroups) > most || obj.faces.size() > most)
   {
-    throw Failure("it has too many faces, normals and smoothing groups; divide it");
+    throw Failure("it has too many faces, normals and smoothing groups; divide it into several "
+                  "files");
   }
   const std::vector<bool> isOpposite =
     obj.numberOfGroups == 0 ? std::vector<bool>() : FindOppositeFaces(obj.faces);
@@ -110,7 +111,7 @@ Ids NormalKeys(const ObjContent& obj)
   return keys;
 }
 
-/// The normals of points that have those of the file, or else those of vtkLambentNormals.
+/// The normals of the points: those of the file, or else those of vtkLambentNormals.
 std::vector<float> PointNormals(const ObjContent& obj, const Ids& keyOfPoint)
 {
   const std::int32_t given = static_cast<std::int32_t>(obj.normals.size() / 3);
@@ -123,12 +124,12 @@ std::vector<float> PointNormals(const ObjContent& obj, const Ids& keyOfPoint)
     filter->SetInputData(MakeMesh(obj));
     filter->Update();
     computed = vtkFloatArray::SafeDownCast(filter->GetOutput()->GetPointData()->GetNormals());
-    if (!computed) // too little memory; the filter says so, too
+    if (!computed) // out of memory, which the filter also reports
     {
       throw Failure("cannot compute the normals of its smoothing groups");
     }
   }
-  std::vector<float> normals(3 * keyOfPoint.size(), 0.0f); // points without a face keep that
+  std::vector<float> normals(3 * keyOfPoint.size(), 0.0f); // points without a face keep zero
   for (std::size_t point = 0; point < keyOfPoint.size(); ++point)
   {
     const std::int32_t key = keyOfPoint[point];
@@ -144,7 +145,7 @@ std::vector<float> PointNormals(const ObjContent& obj, const Ids& keyOfPoint)
   return normals;
 }
 
-/// u and v of each point; (0, 0) at those that no corner with a texture coordinate names.
+/// u and v of each point; (0, 0) if no corner with a texture coordinate names the point.
 vtkSmartPointer<vtkFloatArray> TextureOfPoints(const ObjContent& obj, const Ids& keyOfPoint)
 {
   std::vector<float> values(2 * keyOfPoint.size(), 0.0f);
@@ -159,7 +160,8 @@ vtkSmartPointer<vtkFloatArray> TextureOfPoints(const ObjContent& obj, const Ids&
   return MakeArray<vtkFloatArray>(values, 2);
 }
 
-/// Colours go from 0 to 1, where a few may be brighter; or they are bytes, none of them a fraction.
+/// Converts colours to bytes. If all are integers and one is above 1, they are bytes already;
+/// otherwise they go from 0 to 1, and brighter ones are clamped.
 vtkSmartPointer<vtkUnsignedCharArray> Bytes(const std::vector<float>& colors)
 {
   const bool areBytes = *std::max_element(colors.begin(), colors.end()) > 1 &&
@@ -199,12 +201,12 @@ void Warn(const ObjContent& obj)
   if (obj.cellsOfTooFewPoints > 0)
   {
     vtkGenericWarningMacro(
-      << "faces (f) of fewer than 3 points and lines (l) of fewer than 2 are left "
-      << "out; it has " << obj.cellsOfTooFewPoints << " of them");
+      << "faces (f) of fewer than 3 points and lines (l) of fewer than 2 are skipped; "
+      << "it has " << obj.cellsOfTooFewPoints << " of them");
   }
   if (obj.freeFormSurfaces > 0)
   {
-    vtkGenericWarningMacro(<< "free-form surfaces (surf) are left out; it has "
+    vtkGenericWarningMacro(<< "free-form surfaces (surf) are skipped; it has "
                            << obj.freeFormSurfaces << " of them");
   }
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Object File Format, as text: a word such as OFF, COFF or NOFF, which may be missing; the numbers
-// of vertices, faces and edges; a line for each vertex and each face. What follows the numbers that
-// are needed on such a line is colour, and passed over. A count is believed only if the rest of the
-// file can hold it. Reference: the manual of Geomview, "OFF Files".
+// Reads the text form of the Object File Format: a word such as OFF, COFF or NOFF, which may be
+// missing; the numbers of vertices, faces and edges; a line for each vertex and each face. Further
+// numbers on such a line are colours and are skipped. A count is accepted only if the rest of the
+// file can hold it. Reference: Geomview manual, "OFF Files".
 
 #include "FileBytes.h"
 #include "Messages.h"
@@ -36,7 +36,7 @@ struct OffHeader
   vtkIdType faces = 0;
 };
 
-/// What the first word promises: [ST][C][N]OFF.
+/// Parses the first word: [ST][C][N]OFF.
 void JudgeWord(OffCursor& cursor, const std::string& word, OffHeader& header)
 {
   const std::size_t end = word.find("OFF");
@@ -45,14 +45,15 @@ void JudgeWord(OffCursor& cursor, const std::string& word, OffHeader& header)
     cursor.Fail("it begins with '" + word.substr(0, 20) + "'");
   }
   std::string prefix = word.substr(0, end);
-  for (const std::string letters : { "ST", "C" }) // on the lines they come last
+  for (const std::string letters : { "ST", "C" }) // their values come last on a line
   {
     prefix.erase(0, prefix.compare(0, letters.size(), letters) == 0 ? letters.size() : 0);
   }
   header.hasNormals = prefix == "N";
   if (!prefix.empty() && !header.hasNormals)
   {
-    throw Failure("its points have not three coordinates ('" + word + "'); save it as plain OFF");
+    throw Failure(
+      "its points do not have three coordinates ('" + word + "'); save it as plain OFF");
   }
 }
 
@@ -71,14 +72,14 @@ OffHeader TakeHeader(OffCursor& cursor)
   }
   header.vertices = cursor.TakeWhole("the number of vertices", -1);
   header.faces = cursor.TakeWhole("the number of faces", -1);
-  cursor.SkipLine(); // the number of edges is often wrong or missing, and not needed
-  // A vertex takes three digits and three spaces, a face a digit and a space.
+  cursor.SkipLine(); // the number of edges is not needed, and often wrong or missing
+  // A vertex takes at least three digits and three spaces, a face a digit and a space.
   const double size =
     6.0 * static_cast<double>(header.vertices) + 2.0 * static_cast<double>(header.faces);
   if (header.vertices < 0 || header.faces < 0 || size > static_cast<double>(cursor.GetRest()) + 1)
   {
     cursor.Fail("it is too short for the " + std::to_string(header.vertices) + " vertices and " +
-      std::to_string(header.faces) + " faces that it promises");
+      std::to_string(header.faces) + " faces that it declares");
   }
   return header;
 }
@@ -123,7 +124,7 @@ vtkIdType TakeCorner(OffCursor& cursor, const OffHeader& header, vtkIdType face)
   if (vertex < 0 || vertex >= header.vertices)
   {
     cursor.Fail("face " + std::to_string(face) + " names vertex " + std::to_string(vertex) +
-      ", which does not exist; there are " + std::to_string(header.vertices) + ", from 0 on");
+      ", which does not exist; there are " + std::to_string(header.vertices) + ", numbered from 0");
   }
   return vertex;
 }
@@ -176,7 +177,7 @@ vtkSmartPointer<vtkDataObject> ReadOff(const std::string& path, VtkMessages&, Pr
   TakeFaces(cursor, header, mesh, progress);
   if (cursor.Skip())
   {
-    vtkGenericWarningMacro("there is more in it than its counts promise; that is ignored");
+    vtkGenericWarningMacro("it has more data than its counts declare; the rest is ignored");
   }
   return mesh;
 }

@@ -16,7 +16,7 @@ namespace lambent::command
 namespace
 {
 
-/// A count is believed only if the rest of the file can hold it: memory is taken by it.
+/// Rejects a count that the rest of the file cannot hold, because it determines an allocation.
 void CheckCount(const PlyCursor& cursor, const PlyElement& element)
 {
   for (const PlyProperty& property : element.properties)
@@ -24,7 +24,7 @@ void CheckCount(const PlyCursor& cursor, const PlyElement& element)
     const PlyType first = property.isList ? property.countType : property.type;
     if (!cursor.CanHold(static_cast<double>(element.count), first))
     {
-      throw Failure("it is cut short: its header promises " + std::to_string(element.count) +
+      throw Failure("it is cut short: its header declares " + std::to_string(element.count) +
         " of '" + element.name + "', more than the rest of the file can hold");
     }
   }
@@ -36,15 +36,15 @@ void WarnOfRest(PlyCursor& cursor)
   if (cursor.GetLeftOver() > 0)
   {
     vtkGenericWarningMacro(
-      << "numbers left over on a line are ignored, since an element has a line "
-      << "of its own; it has " << cursor.GetLeftOver() << " of them, the first in line "
+      << "numbers left over on a line are ignored, since each element has its own "
+      << "line; it has " << cursor.GetLeftOver() << " of them, the first in line "
       << cursor.GetFirstLineWithMore());
   }
   const std::size_t bytes = cursor.BytesBehind();
   if (bytes > 0)
   {
     vtkGenericWarningMacro(<< "ignored " << bytes << (bytes == 1 ? " byte" : " bytes")
-                           << " behind the last element that its header names");
+                           << " after the last element that its header names");
   }
 }
 
@@ -56,7 +56,7 @@ vtkSmartPointer<vtkPolyData> ReadPly(
   const FileBytes file(path);
   const PlyHeader header = ParsePlyHeader(file.view());
   PlyCursor cursor(file.view(), header);
-  // A file of less than 2 GB cannot hold more than 2^31 - 1 ids; they then take half the room.
+  // A file of less than 2 GiB cannot hold more than 2^31 - 1 ids; 32-bit ids take half the memory.
   const bool idsAreShort = file.size() <= std::numeric_limits<std::int32_t>::max();
 
   auto mesh = vtkSmartPointer<vtkPolyData>::New();

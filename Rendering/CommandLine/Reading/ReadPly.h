@@ -2,23 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief read a polygon mesh from a PLY file
+ * @brief reads a polygon mesh from a PLY file
  *
- * Text and binary of either byte order: the coordinates and normals of the
- * vertices, the vertex lists of the faces, the triangle strips of the element
- * "tristrips"; all other elements and properties are passed over. Coordinates
- * keep their precision: float stays float, double stays double. What is left over
- * on a line of text, or behind the last element, is ignored with a warning.
+ * Reads text, and binary of either byte order: the coordinates and normals of the vertices, the
+ * vertex lists of the faces, and the triangle strips of the element "tristrips". All other elements
+ * and properties are skipped. Coordinates keep their precision, float or double. Excess numbers on
+ * a line of text, and bytes after the last element, are ignored with a warning.
  *
- * vtkPLYReader is not used, for three reasons: it narrows double coordinates to
- * float, it trusts the header (a text file that is cut short makes it read
- * beyond its line, and a huge count makes it allocate that much), and item by
- * item through a stream it takes ten times as long.
+ * vtkPLYReader is not used, for three reasons: it narrows double coordinates to float; it trusts
+ * the header (it reads beyond a line of a truncated text file, and allocates whatever a count
+ * says); and it takes ten times as long, because it reads item by item from a stream.
  *
- * How: the whole file is read into memory; the header becomes a list of
- * elements with their properties; one cursor goes through the rest. Every step
- * of the cursor is checked against the end of the file, and a count is believed
- * only if the rest of the file can hold it.
+ * 1. Read the whole file into memory.
+ * 2. Parse the header into a list of elements with their properties.
+ * 3. Read the elements with a cursor. Every step is checked against the end of the file, and a
+ *    count is accepted only if the rest of the file can hold it.
  *
  * Reference: G. Turk, "The PLY Polygon File Format", 1994.
  */
@@ -36,7 +34,7 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// The mesh in the file; throws Failure if it is cut short or not a PLY file.
+/// The mesh in the file. Throws Failure if the file is truncated or not a PLY file.
 vtkSmartPointer<vtkPolyData> ReadPly(
   const std::string& path, const std::function<void(double)>& progress);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The results of simulations, at their first time, with all arrays, so that they can be contoured.
+// Reads simulation results at the first time step, with all arrays, so that they can be contoured.
 
 #include "CheckEnSight.h"
 #include "CheckNetCdf.h"
@@ -50,13 +50,14 @@ vtkSmartPointer<vtkDataObject> ReadEnSight(
   }
   const vtkSmartPointer<vtkDataObject> data = RunAtFirstTime(reader, messages, progress);
   const std::vector<std::string> warnings = messages.TakeWarnings();
-  if (!warnings.empty()) // of files that end too early, after which it goes on
+  if (!warnings.empty()) // about truncated files; the reader continues after such a warning
   {
-    throw Failure(warnings.front() + "; is it whole, with all the files that it names?");
+    throw Failure(
+      warnings.front() + "; check that this file and all files that it names are complete");
   }
   for (const BrokenVariable& variable : broken)
   {
-    vtkGenericWarningMacro(<< "its variable " << variable.name << " is left out: the file '"
+    vtkGenericWarningMacro(<< "its variable " << variable.name << " is skipped: the file '"
                            << variable.file << "' is cut short");
   }
   return data;

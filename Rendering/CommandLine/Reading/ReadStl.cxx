@@ -22,10 +22,10 @@ namespace lambent::command
 namespace
 {
 
-constexpr std::size_t HeaderSize = 84; // 80 bytes of anything, and the count
+constexpr std::size_t HeaderSize = 84; // 80 arbitrary bytes and the count
 constexpr std::size_t TriangleSize = 50;
 
-/// From bytes in the order of the file, which is little-endian on every machine.
+/// Reads a number from the file, which is always little-endian.
 std::uint32_t ReadWord(const char* at)
 {
   std::uint32_t word = 0;
@@ -44,7 +44,7 @@ float ReadFloat(const char* at)
   return value;
 }
 
-/// 0 if there is none in so short a file.
+/// The count in the header; 0 if the file is too short for a header.
 std::size_t CountOf(std::string_view file)
 {
   return file.size() < HeaderSize ? 0 : ReadWord(file.data() + HeaderSize - 4);
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
   return mesh;
 }
 
-/// How many triangles there are, whatever the header counts.
+/// The real number of triangles, even if the count in the header is too small.
 std::size_t CheckedCount(std::string_view file)
 {
   if (file.size() < HeaderSize)
@@ -74,13 +74,13 @@ std::size_t CheckedCount(std::string_view file)
   if (file.size() < HeaderSize + TriangleSize * count)
   {
     throw Failure("it is cut short or not an STL file: it is too short for the " +
-      std::to_string(count) + " triangles that it promises; get a whole copy of it");
+      std::to_string(count) + " triangles that it declares; get a whole copy of it");
   }
   const std::size_t leftOver = file.size() - HeaderSize - TriangleSize * count;
   if (leftOver % TriangleSize != 0)
   {
     vtkGenericWarningMacro(<< "ignored " << leftOver << (leftOver == 1 ? " byte" : " bytes")
-                           << " behind its last triangle");
+                           << " after its last triangle");
     return count;
   }
   const std::size_t all = count + leftOver / TriangleSize;
@@ -103,7 +103,7 @@ vtkSmartPointer<vtkPolyData> ReadBinary(
   triangles.offsets.reserve(count + 1);
   for (std::size_t triangle = 0; triangle < count; ++triangle)
   {
-    const char* at = file.data() + HeaderSize + TriangleSize * triangle + 12; // behind the normal
+    const char* at = file.data() + HeaderSize + TriangleSize * triangle + 12; // after the normal
     for (int corner = 0; corner < 3; ++corner, at += 12)
     {
       const float point[3] = { ReadFloat(at), ReadFloat(at + 4), ReadFloat(at + 8) };
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> ReadText(
   if (text.ignoredFrom > 0)
   {
     vtkGenericWarningMacro(<< "line " << text.ignoredFrom
-                           << " and all behind it are ignored; they are in no solid");
+                           << " and everything after it are ignored, outside of any solid");
   }
   return MakeMesh<vtkDoubleArray>(text.points, text.facets);
 }

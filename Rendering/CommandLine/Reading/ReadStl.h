@@ -2,29 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief read triangles from an STL file, text or binary
+ * @brief reads triangles from an STL file, text or binary
  *
- * Corners at equal coordinates become one point, as with vtkSTLReader, so that
- * shading can be smooth. The order of the cells is that of the file, and the
- * points have the order in which they come first. The normals in the file are
- * not used: they follow from the corners. Coordinates are double in text and
- * float in binary, as in the file.
+ * Corners with equal coordinates become one point, as with vtkSTLReader, so that shading can be
+ * smooth. The cells are in file order, and the points in the order of their first occurrence. The
+ * normals in the file are ignored, since they follow from the corners. Coordinates are double for
+ * text and float for binary files.
  *
- * vtkSTLReader is not used: it takes text in capitals, or with a name that is not
- * ASCII, for binary, takes any bytes for binary triangles, narrows the
- * coordinates of texts, and is slower.
+ * vtkSTLReader is not used: it mistakes text in capitals or with a non-ASCII name for binary,
+ * accepts any bytes as binary triangles, narrows the coordinates of text files, and is slower.
  *
- * Which of the two a file is: binary if its size is just that of the triangles
- * that it counts. Or else text if it begins with "solid" or "facet", in any case,
- * and has no zero byte near its start.
+ * A file is binary if its size matches exactly the number of triangles in its header. Otherwise it
+ * is text if it begins with "solid" or "facet", in upper or lower case, and has no zero byte near
+ * its start. All other files are read as binary.
  *
- * - Binary: fewer triangles than are counted are a Failure. If there are more,
- *   and they end with the file, then the count is wrong and all of them are read, with a
- *   warning, as it is with any other bytes that are left over.
- * - Text: keywords may be in capitals. A facet may have more corners than three.
- *   Anything else than what is due is a Failure that names the line, and so is a
- *   file that ends within a solid. Several solids are one mesh. What follows the
- *   last one is ignored with a warning.
+ * - Binary: fewer triangles than the header counts are a Failure. If more whole triangles fill the
+ *   file, the count is wrong, and all of them are read with a warning. Any other excess bytes are
+ *   ignored with a warning.
+ * - Text: keywords may be in capitals. A facet may have more than three corners. An unexpected word
+ *   is a Failure that names the line, and so is a file that ends within a solid. Several solids
+ *   form one mesh. Text after the last solid is ignored with a warning.
  */
 
 #ifndef ReadStl_h
@@ -40,7 +37,7 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// The mesh in the file; throws Failure if it is cut short or not an STL file.
+/// The mesh in the file. Throws Failure if the file is truncated or not an STL file.
 vtkSmartPointer<vtkPolyData> ReadStl(
   const std::string& path, const std::function<void(double)>& progress);
 

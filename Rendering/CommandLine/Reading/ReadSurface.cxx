@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> ReadFormat(const Format& format, const std::string&
   return ReadIsolated(read, LimitsFor(path, format.hasParts), messages, progress);
 }
 
-/// The text with the name of a temporary file replaced by that of the file that it came from.
+/// Replaces the name of a temporary file in a text by the name of the original file.
 std::string Renamed(std::string text, const std::string& temporary, const std::string& path)
 {
   for (std::size_t at = 0; (at = text.find(temporary, at)) != std::string::npos;)
@@ -76,7 +76,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& m
       : ReadFormat(format, path, contour, messages, progress);
     return mesh;
   }
-  catch (const std::exception& reason) // a Failure, or memory that is not there
+  catch (const std::exception& reason) // a Failure, or out of memory
   {
     throw Failure("cannot read '" + path + "': " + reason.what());
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from a mesh file of any kind to its surface
+ * @brief reads the surface in a file of any supported format
  */
 
 #ifndef ReadSurface_h
@@ -24,14 +24,12 @@ class Progress;
 class VtkMessages;
 
 /**
- * The polygons in a file, the outer surface of the volume cells in it, or with
- * `contour` the surface on which an array of a volume has a value. The blocks of
- * a file with many are one surface. What is returned is sound: every cell names
- * points that exist.
+ * Returns the polygons in a file, the outer surface of its volume cells, or with `contour` the
+ * surface on which an array of a volume has a given value. The blocks of a file are appended to one
+ * surface. The result is valid: every cell names existing points.
  *
- * Throws Failure if the file cannot be read whole. VTK's readers often return
- * what they have got so far from a file that is cut short; any error they
- * report on the way counts here as a failure.
+ * Throws Failure if the file cannot be read completely. VTK's readers often return a part of a
+ * truncated file; any error that they report is a Failure here.
  */
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& messages,
   Progress& progress, const std::optional<ContourValue>& contour = std::nullopt);

@@ -17,7 +17,7 @@ namespace lambent::command
 namespace
 {
 
-const char* const Advice = "; is it whole, and of the kind that its name tells?";
+const char* const Advice = "; check that the file is complete and has the right extension";
 
 void ThrowErrors(vtkAlgorithm* reader, VtkMessages& messages)
 {

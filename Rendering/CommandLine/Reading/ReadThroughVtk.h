@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief run a reader of VTK's and turn what it reports into a Failure
+ * @brief runs a VTK reader and turns reported errors into a Failure
  */
 
 #ifndef ReadThroughVtk_h
@@ -22,15 +22,15 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// Updates a reader and returns its output. Throws Failure if the reader reported an error: most of
-/// them return what they have read so far.
+/// Updates a reader and returns its output. Throws Failure if the reader reported an error, because
+/// most readers then return incomplete output.
 vtkSmartPointer<vtkDataObject> Run(vtkAlgorithm* reader, VtkMessages& messages, Progress& progress);
 
-/// As Run(), at the first time step that the reader offers, if it offers any.
+/// Like Run(), but at the reader's first time step, if it has any.
 vtkSmartPointer<vtkDataObject> RunAtFirstTime(
   vtkAlgorithm* reader, VtkMessages& messages, Progress& progress);
 
-/// Reads a file with a reader that needs the name of the file only.
+/// Reads a file with a reader that needs only the file name.
 template <typename Reader>
 vtkSmartPointer<vtkDataObject> Read(
   const std::string& path, VtkMessages& messages, Progress& progress)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Images and structured grids of VTK's XML formats. The readers of files in pieces put the pieces
-// together by their extents, so that no wall is left between them; but they skip pieces that they
-// cannot read, so each piece is looked at first.
+// Reads images and structured grids in VTK's XML formats. The readers of files in pieces join the
+// pieces by their extents, so that no wall is left between them. But they skip pieces that they
+// cannot read, so each piece is read separately first.
 
 #include "CheckXml.h"
 #include "Collection.h"
@@ -28,7 +28,7 @@ namespace lambent::command
 namespace
 {
 
-/// Where the last array is cut short, not all of these readers say so.
+/// Rejects truncated files: not all of these readers report that the last array is incomplete.
 void CheckEnd(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);

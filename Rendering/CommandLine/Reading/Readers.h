@@ -4,8 +4,8 @@
  * @file
  * @brief the functions in the table of formats
  *
- * Each takes a file that exists and is not empty, and throws Failure if it
- * cannot be read whole.
+ * Each takes a file that exists and is not empty (ReadFoam also takes an empty one), and throws
+ * Failure if it cannot be read completely.
  */
 
 #ifndef Readers_h
@@ -23,7 +23,7 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-// In ReadMeshFiles.cxx: polygon meshes and grids, each with its check.
+// In ReadMeshFiles.cxx: polygon meshes and grids, with checks.
 vtkSmartPointer<vtkDataObject> ReadVtpFile(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadVtuFile(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadLegacyVtkFile(const std::string&, VtkMessages&, Progress&);
@@ -31,7 +31,7 @@ vtkSmartPointer<vtkDataObject> ReadPlyFile(const std::string&, VtkMessages&, Pro
 vtkSmartPointer<vtkDataObject> ReadStlFile(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadObjFile(const std::string&, VtkMessages&, Progress&);
 
-// In ReadVtkGrids.cxx: structured data of VTK's XML formats, whole or in pieces.
+// In ReadVtkGrids.cxx: structured data in VTK's XML formats, in one file or in pieces.
 vtkSmartPointer<vtkDataObject> ReadVti(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadVtr(const std::string&, VtkMessages&, Progress&);
 vtkSmartPointer<vtkDataObject> ReadVts(const std::string&, VtkMessages&, Progress&);

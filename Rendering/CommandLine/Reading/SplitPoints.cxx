@@ -12,7 +12,7 @@ SplitPoints::SplitPoints(std::vector<std::int32_t>& corners, const std::vector<s
   std::size_t numberOfPoints)
   : keyOfPoint(numberOfPoints, NoKey)
 {
-  IdTable table; // of the copies alone: most points need none
+  IdTable table; // only of the copies, because most points need none
   for (std::size_t c = 0; c < corners.size(); ++c)
   {
     const std::int32_t point = corners[c];

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief gives the corners of faces that differ in something points of their own
+ * @brief splits points whose corners have different normals or texture coordinates
  *
- * An OBJ file may name another normal or texture coordinate at each corner of each
- * face; a vtkPolyData has one a point. So a point whose corners differ becomes
- * several.
+ * In an OBJ file each corner of each face may name a different normal or texture coordinate, but a
+ * vtkPolyData has one for each point. So a point whose corners differ becomes several points.
  */
 
 #ifndef SplitPoints_h
@@ -20,19 +19,19 @@
 namespace lambent::command
 {
 
-/// Of a corner to which every key is equal, and of a point no corner of which has one.
+/// The key of a corner that matches any key, and of a point whose corners have no keys.
 constexpr std::int32_t NoKey = std::numeric_limits<std::int32_t>::min();
 
 struct SplitPoints
 {
-  /// Changes the corners, which are point ids, so that corners with different keys have different
-  /// points. Each point keeps its id for the key that comes first at it; for each further key a
-  /// copy is appended, in the order of the corners.
+  /// Changes the point ids of the corners so that corners with different keys have different
+  /// points. A point keeps its id for the first key of its corners; for each further key a copy is
+  /// appended, in the order of the corners.
   SplitPoints(std::vector<std::int32_t>& corners, const std::vector<std::int32_t>& keys,
     std::size_t numberOfPoints);
 
   std::vector<std::int32_t> keyOfPoint;
-  std::vector<std::int32_t> copies; ///< of which point each appended one is a copy
+  std::vector<std::int32_t> copies; ///< the original of each appended point
 };
 
 } // namespace lambent::command

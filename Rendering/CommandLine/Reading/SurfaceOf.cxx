@@ -39,7 +39,7 @@ void CheckDataSet(vtkDataSet* data)
   }
 }
 
-/// The data sets with points in a data object, each checked.
+/// The data sets with points in a data object, after checking each.
 std::vector<vtkDataSet*> DataSetsIn(vtkDataObject* data)
 {
   std::vector<vtkDataSet*> found;
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
   const std::vector<vtkDataSet*> dataSets = DataSetsIn(data);
   if (dataSets.empty())
   {
-    throw Failure("there is no mesh in it");
+    throw Failure("it has no mesh");
   }
   Surfaces surfaces;
   std::vector<vtkDataSet*> volumes;
@@ -152,7 +152,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
   }
   else if (contour)
   {
-    vtkGenericWarningMacro("there is no volume in it for --contour; it is drawn as it is");
+    vtkGenericWarningMacro("it has no volume for --contour, so it is drawn unchanged");
   }
   return Append(surfaces, messages);
 }

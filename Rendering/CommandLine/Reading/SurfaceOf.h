@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief from any data object that a reader returns to one surface
+ * @brief extracts one surface from a data object
  */
 
 #ifndef SurfaceOf_h
@@ -21,14 +21,12 @@ namespace lambent::command
 {
 
 /**
- * Polygons as they are; the outer surface of grids (vtkDataSetSurfaceFilter),
- * or their contour if one is asked for; of composite data the surfaces of all
- * blocks in their order (vtkAppendPolyData), where empty blocks are skipped and
- * only the arrays that all of them have are kept. Images have no outer surface
- * worth drawing: they need a contour.
+ * Polygons are returned unchanged. Grids give their outer surface (vtkDataSetSurfaceFilter), or
+ * their contour if one is requested. Composite data gives the surfaces of all blocks, in order and
+ * contours last (vtkAppendPolyData); empty blocks are skipped, and only the arrays that all
+ * surfaces have are kept. Images need a contour, since their outer surface is of no use.
  *
- * Throws Failure if there is no mesh in it, or if a cell names a point that
- * does not exist.
+ * Throws Failure if the data has no mesh, or if a cell names a point that does not exist.
  */
 vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
   const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress);

@@ -29,7 +29,7 @@ double TextCursor::Fraction() const
     static_cast<double>(this->End - this->Begin + 1);
 }
 
-/// At a backslash: goes behind it and the end of the line. False if there is more on the line.
+/// At a backslash: moves to the next line. Returns false if more follows on the line.
 bool TextCursor::JoinNextLine()
 {
   const char* behind = this->At + 1;
@@ -102,7 +102,7 @@ std::string_view TextCursor::TakeWord()
   return { begin, static_cast<std::size_t>(this->At - begin) };
 }
 
-/// "1.#IND" and the like are how some systems write NaN; there the '#' begins no comment.
+/// Some systems write NaN as "1.#IND" and the like; there the '#' does not start a comment.
 bool TextCursor::IsBehindNumber(const char* at) const
 {
   return at == this->End || IsBlank(*at) || IsLineEnd(*at) || *at == '\\' ||
@@ -117,9 +117,9 @@ double TextCursor::TakeNumber()
   {
     if (this->IsAtLineEnd())
     {
-      throw this->FailureHere("it ends where a number is due");
+      throw this->FailureHere("it ends where a number is expected");
     }
-    throw this->FailureHere(this->QuotedWord() + " where a number is due");
+    throw this->FailureHere("found " + this->QuotedWord() + " where a number is expected");
   }
   this->At = behind;
   this->SkipBlanks();

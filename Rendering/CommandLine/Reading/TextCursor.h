@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief goes through the words and numbers of a text in memory, and counts its lines
+ * @brief reads the words and numbers of a text in memory, and counts its lines
  *
- * Lines end with LF, CR LF or CR, in one file mixed if need be. A '#' begins a
- * comment that reaches to the end of its line. A backslash at the end of a line
- * joins the next one to it, but only where SkipBlanks() meets it: names and
- * comments may end with a backslash of their own.
+ * Lines end with LF, CR LF or CR, even mixed within a file. A '#' starts a comment up to the end of
+ * the line. A backslash at the end of a line joins it with the next, but only where SkipBlanks()
+ * finds it, because names and comments may end with a backslash.
  */
 
 #ifndef TextCursor_h
@@ -25,38 +24,38 @@ namespace lambent::command
 class TextCursor
 {
 public:
-  /// The text must be followed by a zero byte. A byte order mark of UTF-8 is passed over.
-  /// The number is that of the first line.
+  /// A zero byte must follow the text. A UTF-8 byte order mark is skipped. `lineNumber` is the
+  /// number of the first line.
   explicit TextCursor(std::string_view text, std::size_t lineNumber = 1);
 
   bool IsAtEnd() const { return this->At == this->End; }
-  /// How much of the text is behind, from 0 to 1.
+  /// The fraction of the text before the cursor, from 0 to 1.
   double Fraction() const;
   std::size_t Line() const { return this->LineNumber; }
 
-  /// Goes to the next word of the line.
+  /// Moves to the next word of the line.
   void SkipBlanks();
-  /// Goes to the next word of the text.
+  /// Moves to the next word of the text.
   void SkipSpace();
-  /// Whether only a comment is left of the line, if anything.
+  /// Whether nothing or only a comment is left of the line.
   bool IsAtLineEnd() const;
   void NextLine();
 
-  /// The word here, up to a blank or the end of the line; empty at the end of a line.
+  /// Reads a word, up to a blank or the end of the line; empty at the end of a line.
   std::string_view TakeWord();
-  /// The number here, and the blanks behind it. Throws Failure with the line if there is none.
+  /// Reads a number and skips the blanks after it. Throws Failure with the line if there is none.
   double TakeNumber();
-  /// The same, and it must be finite.
+  /// Like TakeNumber(), but throws Failure if the number is not finite.
   double TakeFiniteNumber();
 
-  /// Whether a number may end at that place: a blank, a comment, or the end of the line follows.
+  /// Whether a number may end there: a blank, a comment or the end of the line follows.
   bool IsBehindNumber(const char* at) const;
   const char* Position() const { return this->At; }
   void MoveTo(const char* position) { this->At = position; }
 
-  /// "line 12: " and what is wrong there.
+  /// A Failure with the text "line 12: " and `what`.
   Failure FailureHere(const std::string& what) const;
-  /// The word here as a message quotes it: not too long, and without control characters.
+  /// The current word as quoted in messages: at most 40 characters, in printable ASCII.
   std::string QuotedWord() const;
 
 private:

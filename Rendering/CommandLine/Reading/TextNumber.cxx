@@ -19,7 +19,7 @@ constexpr double PowersOfTen[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 
   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
 constexpr int LargestExactPower = 22;
 constexpr std::uint64_t LargestExactInteger = std::uint64_t{ 1 } << 53;
-constexpr int DigitsOf64Bits = 18; // that many nines still fit, and one digit more
+constexpr int DigitsOf64Bits = 18; // a number of that many nines and one more digit still fits
 
 bool IsDigit(char c)
 {
@@ -30,7 +30,7 @@ bool IsDigit(char c)
 struct Decimal
 {
   std::uint64_t digits = 0;
-  int count = 0; ///< of digits without leading zeros
+  int count = 0; ///< the number of digits without leading zeros
   int exponent = 0;
   bool isNumber = false;
 };
@@ -48,13 +48,13 @@ const char* TakeDigits(const char* at, Decimal& number, int exponentStep)
     }
     else
     {
-      ++number.count; // too many for the fast way, whatever they are
+      ++number.count; // too many for the fast path, whatever they are
     }
   }
   return at;
 }
 
-/// Returns what follows the number.
+/// Returns the position after the number.
 const char* TakeDecimal(const char* at, Decimal& number)
 {
   at = TakeDigits(at, number, 0);
@@ -71,7 +71,7 @@ const char* TakeDecimal(const char* at, Decimal& number)
     {
       std::int64_t exponent = 0;
       at = ReadInteger(sign, exponent);
-      // Far beyond what a double holds, however many digits stand before it.
+      // Far beyond the range of a double, however many digits precede the exponent.
       constexpr std::int64_t most = 1000000000;
       number.exponent += static_cast<int>(std::clamp(exponent, -most, most));
     }
@@ -88,12 +88,13 @@ double ByLibrary(const char* begin, const char* end)
     return value;
   }
 #endif
-  // Out of range: infinite or zero. The text at `end` is no part of a number, so this stops there.
+  // Out of range: infinite or zero. The text at `end` does not continue the number, so strtod()
+  // stops there.
   static_cast<void>(end);
   return std::strtod(begin, nullptr);
 }
 
-/// inf, infinity, nan and nan(...) in any case, as strtod() knows them.
+/// Reads inf, infinity, nan and nan(...) in upper or lower case, as strtod() does.
 const char* ReadNoDecimal(const char* at, double& value)
 {
   if (*at == '\0' || !std::strchr("iInN", *at))

@@ -32,7 +32,7 @@ using Stream = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 constexpr std::uintmax_t FreeSize = std::uintmax_t{ 64 } << 20;
 constexpr std::uintmax_t MostRatio = 256;
 
-/// zlib's state; a gzip file is one or more members, each with a header, a length and a check sum.
+/// zlib's state. A gzip file has one or more members, each with a header, a length and a checksum.
 class Inflater
 {
 public:
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// Whether there is packed data to look at.
+  /// Reads more packed data if necessary. Returns false at the end of the file.
   bool Fill()
   {
     z_stream& state = this->Inflate.State;
@@ -105,7 +105,8 @@ private:
     return state.avail_in > 0;
   }
 
-  /// Members begin with the byte 31. As gzip does, skip zeros that fill a tape, and warn of others.
+  /// Members begin with the byte 31. Like gzip, ignores trailing zeros, which pad tapes, and warns
+  /// about other bytes.
   bool StartsMember(bool hasMember)
   {
     const unsigned char first = *this->Inflate.State.next_in;
@@ -120,12 +121,12 @@ private:
     }
     if (first != 0)
     {
-      vtkGenericWarningMacro("what follows its packed data is not packed, and is ignored");
+      vtkGenericWarningMacro("the bytes after its packed data are not packed and are ignored");
     }
     return false;
   }
 
-  /// False at the end of a member.
+  /// Returns false at the end of a member.
   bool InflateSome()
   {
     z_stream& state = this->Inflate.State;
@@ -152,7 +153,7 @@ private:
     if (this->Written > this->Most)
     {
       throw Failure("it unpacks to more than " + std::to_string(MostRatio) +
-        " times its size, as no mesh does; if it is meant to, unpack it with gunzip first");
+        " times its size, which no mesh does; if that is intended, unpack it with gunzip first");
     }
     if (std::fwrite(this->Plain.data(), 1, size, this->Out.get()) != size)
     {
@@ -163,7 +164,7 @@ private:
   [[noreturn]] void ThrowFull()
   {
     throw Failure(std::string("it cannot be unpacked: ") + std::strerror(errno) +
-      "; make room, or name another folder in TMPDIR");
+      "; free some space, or name another folder in TMPDIR");
   }
 
   Stream In;

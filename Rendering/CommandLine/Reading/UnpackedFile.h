@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what is in a .gz file, as a temporary file
+ * @brief unpacks a .gz file into a temporary file
  *
- * The file is unpacked piece by piece, so that memory does not matter; every
- * length and check sum in it is checked. Some hundred bytes can unpack to any
- * size: more than 64 MiB and 256 times the packed size is refused. Meshes of
- * numbers pack to a tenth at best, so what exceeds that is not one.
+ * The file is unpacked in small blocks, so that its size does not matter for memory. Every length
+ * and checksum in it is checked. A few hundred bytes can unpack to any size, so more than 64 MiB
+ * plus 256 times the packed size is rejected. Meshes pack to a tenth at best, so no mesh exceeds
+ * that limit.
  */
 
 #ifndef UnpackedFile_h
@@ -24,8 +24,8 @@ namespace lambent::command
 class UnpackedFile
 {
 public:
-  /// Unpacks `path`, whose name ends in ".gz", into the folder for temporary files (TMPDIR), or,
-  /// if it names files `beside` it, into its own folder. Throws Failure.
+  /// Unpacks `path`, whose name ends in ".gz", into the folder for temporary files (TMPDIR), or
+  /// into its own folder if `beside` is true, because it names files beside it. Throws Failure.
   UnpackedFile(const std::string& path, bool beside);
 
   const std::string& GetPath() const { return this->File->GetPath(); }
