@@ -24,7 +24,8 @@
  *
  * Progress is told, and an abort heeded, every few tens of milliseconds. After an abort or an
  * error the output is empty. An error names the cause and the remedy: an image size below 1 or
- * beyond memory, a supersampling outside 1 to 16, a background that is not finite, and what subclasses add.
+ * beyond memory, a supersampling outside 1 to 16, a background that is not finite, and what
+ * subclasses add.
  *
  * @warning
  * Only classes of this library can be subclasses: what they describe a scene with is not

@@ -39,6 +39,7 @@ int main()
   tracer->AddLight(evening);
   tracer->AddLight(sky);
   tracer->SetImageSize(960, 540);
+  tracer->SetSupersampling(3); // 3 x 3 samples per pixel: smooth edges
 
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(tracer->GetOutputPort());

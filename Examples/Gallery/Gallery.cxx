@@ -94,6 +94,7 @@ void ShowPlaces(vtkLambentRayTracer* tracer, int columns, int rows, int pixels)
   camera->SetPosition(x, y, 10);
   tracer->SetCamera(camera);
   tracer->SetImageSize(columns * pixels, rows * pixels);
+  tracer->SetSupersampling(3); // smooth edges
   tracer->SetBackground(0.25, 0.25, 0.25);
 }
 
@@ -105,6 +106,7 @@ void LookFrom(vtkLambentRayTracer* tracer, double x, double y, double z, int wid
   camera->SetViewAngle(30);
   tracer->SetCamera(camera);
   tracer->SetImageSize(width, height);
+  tracer->SetSupersampling(3);
   tracer->SetBackground(0.25, 0.25, 0.25);
 }
 

@@ -69,6 +69,7 @@ def show_places(tracer, columns, pixels):
     camera.SetPosition(x, 0, 10)
     tracer.SetCamera(camera)
     tracer.SetImageSize(columns * pixels, pixels)
+    tracer.SetSupersampling(3)  # smooth edges
     tracer.SetBackground(0.25, 0.25, 0.25)
 
 
@@ -80,6 +81,7 @@ def look_from(tracer, position, width, height):
     camera.SetViewAngle(30)
     tracer.SetCamera(camera)
     tracer.SetImageSize(width, height)
+    tracer.SetSupersampling(3)
     tracer.SetBackground(0.25, 0.25, 0.25)
 
 

@@ -33,6 +33,7 @@ tracer.SetCamera(camera)
 tracer.AddLight(evening)
 tracer.AddLight(sky)
 tracer.SetImageSize(960, 540)
+tracer.SetSupersampling(3)  # 3 x 3 samples per pixel: smooth edges
 
 writer = vtkPNGWriter()
 writer.SetInputConnection(tracer.GetOutputPort())

@@ -56,13 +56,32 @@ bool IsBlack(const Triple& color)
   return std::all_of(color.begin(), color.end(), [](double c) { return c <= 0; });
 }
 
+/// True if no channel of a picture of bytes is brighter than that of the colour.
+bool HasOnlyBetween(vtkImageData* picture, const Pixel& brightest)
+{
+  auto* const colors = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  for (vtkIdType k = 0; colors && k < colors->GetNumberOfValues(); ++k)
+  {
+    if (colors->GetValue(k) > brightest[k % 3])
+    {
+      return false;
+    }
+  }
+  return colors != nullptr;
+}
+
+vtkSmartPointer<vtkImageData> Draw(const Options& options, const Meshes& meshes)
+{
+  const auto tracer = MakeScene(options, meshes);
+  tracer->Update();
+  return tracer->GetOutput();
+}
+
 /// Renders the scene on a black background.
 vtkSmartPointer<vtkImageData> DrawOnBlack(Options options, const Meshes& meshes)
 {
   options.background = { 0, 0, 0 };
-  const auto tracer = MakeScene(options, meshes);
-  tracer->Update();
-  return tracer->GetOutput();
+  return Draw(options, meshes);
 }
 
 bool IsAllBlack(vtkImageData* picture)
@@ -176,9 +195,21 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 
 } // namespace
 
-std::string WhyNothingIsSeen(const Options& options, const Meshes& meshes, vtkImageData* picture)
+std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkImageData* drawn)
 {
+  // One sample per pixel: averages of two colours are neither.
+  Options options = drawing;
+  options.supersampling = 1;
   const Pixel background = BytesOf(options.background);
+  vtkSmartPointer<vtkImageData> picture = drawn;
+  if (background != Black && drawing.supersampling.value_or(1) > 1)
+  {
+    if (!HasOnlyBetween(drawn, background))
+    {
+      return "";
+    }
+    picture = Draw(options, meshes);
+  }
   if (!HasOnly(picture, background, Black))
   {
     return "";

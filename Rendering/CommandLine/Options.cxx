@@ -44,6 +44,14 @@ why); 2 wrong usage.
 
 Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1)";
 
+/// A whole number from 1 to the largest.
+int ParseCount(const std::string& text, int largest)
+{
+  const double value = ParseNumber(text, 1, largest);
+  const int whole = static_cast<int>(value);
+  return whole == value ? whole : throw BadValue("'" + text + "' is not a whole number");
+}
+
 void AddFiles(CLI::App& app, Options& options)
 {
   app.add_option("INPUT", options.inputs, "mesh files, drawn as one scene")->type_name("");
@@ -54,6 +62,10 @@ void AddFiles(CLI::App& app, Options& options)
     "draw the surface of volumes where the array has the value");
   AddValue(app, "--size", "WxH", options.size, ParseSize,
     "pixels [1920x1080; with --compare, those of the baseline]");
+  AddValue(
+    app, "--supersampling", "N", options.supersampling,
+    [](const std::string& text) { return ParseCount(text, 16); },
+    "N x N samples per pixel, 1..16, for smooth edges [3; with --compare, as the baseline has]");
   AddValue(app, "--background", "COLOUR", options.background, ParseColor,
     "colour where there is no surface [black]");
 }
@@ -135,13 +147,9 @@ void AddSurface(CLI::App& app, Options& options)
 
 void AddRunning(CLI::App& app, Options& options, const std::string& version)
 {
-  const auto count = [](const std::string& text)
-  {
-    const double value = ParseNumber(text, 1, 1024);
-    const int whole = static_cast<int>(value);
-    return whole == value ? whole : throw BadValue("'" + text + "' is not a whole number");
-  };
-  AddValue(app, "--threads", "N", options.threads, count, "threads to use [all]");
+  AddValue(
+    app, "--threads", "N", options.threads,
+    [](const std::string& text) { return ParseCount(text, 1024); }, "threads to use [all]");
   CLI::Option* quiet =
     app.add_flag("--quiet", options.quiet, "no progress bar and no warnings, only errors");
   app.add_flag("--verbose", options.verbose, "report what was done and how long it took")

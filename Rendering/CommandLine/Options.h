@@ -27,6 +27,9 @@ constexpr Triple DefaultDirection{ 2, 1.5, 4 };
 /// The default before version 2 of the image contract, for recipes that name no direction.
 constexpr Triple FormerDirection{ 0, 0, 1 };
 
+/// Samples along each axis of a pixel: the default, and that of recipes that do not name it.
+constexpr int DefaultSupersampling = 3, FormerSupersampling = 1;
+
 enum class Shading
 {
   Smooth,
@@ -69,6 +72,7 @@ struct Options
   ComparisonOptions comparison;
 
   std::optional<std::array<int, 2>> size; ///< absent: the baseline's size, or 1920 x 1080
+  std::optional<int> supersampling;       ///< absent: the baseline's, or DefaultSupersampling
   Triple background{ 0, 0, 0 };
 
   std::optional<ContourValue> contour; ///< the contour of volumes; absent: their outer surface

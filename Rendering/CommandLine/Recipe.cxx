@@ -46,11 +46,10 @@ std::string TextOf(const Triple& direction)
   return text;
 }
 
-bool NamesTheView(const std::vector<std::string>& words)
+bool HasOption(const std::vector<std::string>& words, const std::string& option)
 {
   return std::any_of(words.begin(), words.end(),
-    [](const std::string& word)
-    { return word.rfind("--direction", 0) == 0 || word.rfind("--camera-position", 0) == 0; });
+    [&option](const std::string& word) { return word.rfind(option, 0) == 0; });
 }
 
 /// Parses the command stored in a picture.
@@ -61,9 +60,14 @@ Options ParseRecipe(const std::string& command)
   {
     throw Failure("its command is not a lambent command: " + OneLine(command));
   }
-  if (!NamesTheView(words)) // written by an older version
+  // Written by an older version.
+  if (!HasOption(words, "--direction") && !HasOption(words, "--camera-position"))
   {
     words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
+  }
+  if (!HasOption(words, "--supersampling"))
+  {
+    words.insert(words.end(), { "--supersampling", std::to_string(FormerSupersampling) });
   }
   words.insert(words.end(), { "-o", "-" }); // the parser requires an output
   std::vector<const char*> argv;
@@ -84,8 +88,8 @@ Options ParseRecipe(const std::string& command)
 std::string MakeRecipe(const CLI::App& app, const Options& options)
 {
   static const std::set<std::string> notOfTheScene = { "INPUT", "--help", "--output", "--size",
-    "--compare", "--metric", "--tolerance", "--difference", "--report", "--name", "--recreate",
-    "--light", "--headlight", "--threads", "--quiet", "--verbose", "--version" };
+    "--supersampling", "--compare", "--metric", "--tolerance", "--difference", "--report", "--name",
+    "--recreate", "--light", "--headlight", "--threads", "--quiet", "--verbose", "--version" };
   std::string recipe = "lambent";
   for (const std::string& input : options.inputs)
   {
@@ -121,7 +125,9 @@ PictureText DescribeDrawing(const Options& options)
   const std::string size =
     std::to_string((*options.size)[0]) + "x" + std::to_string((*options.size)[1]);
   return { { ContractKey, std::to_string(vtkLambentRayTracer::GetImageContractVersion()) },
-    { CommandKey, options.recipe + " --size " + size } };
+    { CommandKey,
+      options.recipe + " --size " + size + " --supersampling " +
+        std::to_string(*options.supersampling) } };
 }
 
 std::vector<std::string> SplitWords(const std::string& command)
@@ -155,6 +161,21 @@ std::vector<std::string> SplitWords(const std::string& command)
     }
   }
   return words;
+}
+
+int RecordedSupersampling(const std::string& path)
+{
+  vtkNew<vtkLambentPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  const char* const command = reader->Read() ? reader->GetText(CommandKey) : nullptr;
+  try
+  {
+    return command ? *ParseRecipe(command).supersampling : FormerSupersampling;
+  }
+  catch (const Failure&)
+  {
+    return FormerSupersampling;
+  }
 }
 
 Options ReadRecipe(const Options& options)

@@ -6,10 +6,11 @@
  *
  * A PNG file holds two texts: the version of the image contract, and the command that renders the
  * picture again. The command has the inputs and the scene's options as they were typed, in a fixed
- * order and quoted for the shell. It always has the direction of view, even if that was not given,
- * because the default has changed once: a command without one was written by an older version (see
- * FormerDirection). The command does not record when, where or by whom the picture was rendered, so
- * a picture that is rendered again from its text is the same file.
+ * order and quoted for the shell. It always has the direction of view and the supersampling, even
+ * if they were not given, because the defaults have changed: a command without them was written by
+ * an older version (see FormerDirection, FormerSupersampling). The command does not record when,
+ * where or by whom the picture was rendered, so a picture that is rendered again from its text is
+ * the same file.
  */
 
 #ifndef Recipe_h
@@ -28,11 +29,14 @@ namespace lambent::command
 
 class VtkMessages;
 
-/// The command that was parsed, without the size.
+/// The command that was parsed, without size and supersampling.
 std::string MakeRecipe(const CLI::App& app, const Options& options);
 
 /// The texts for the file of a picture rendered with these options; empty if it was not rendered.
 PictureText DescribeDrawing(const Options& options);
+
+/// The supersampling of the picture in a file; FormerSupersampling if it does not say.
+int RecordedSupersampling(const std::string& path);
 
 /// The words of a command, split as a shell would.
 std::vector<std::string> SplitWords(const std::string& command);

@@ -211,6 +211,7 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
     tracer->AddInputDataObject(0, mesh);
   }
   tracer->SetImageSize((*options.size)[0], (*options.size)[1]);
+  tracer->SetSupersampling(options.supersampling.value_or(FormerSupersampling));
   Triple background = options.background;
   tracer->SetBackground(background.data());
   tracer->SetAmbientModel(options.ambientModel == AmbientModel::Scene

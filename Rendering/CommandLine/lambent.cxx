@@ -155,6 +155,17 @@ std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
   return { 1920, 1080 };
 }
 
+/// As many as the options say, or else as the baseline has.
+int SupersamplingOf(const Options& options)
+{
+  const std::string& baseline = options.comparison.baseline;
+  std::error_code error;
+  return options.supersampling ? *options.supersampling
+    : !baseline.empty() && std::filesystem::exists(baseline, error)
+    ? RecordedSupersampling(baseline)
+    : DefaultSupersampling;
+}
+
 void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopwatch)
 {
   vtkIdType triangles = 0;
@@ -167,6 +178,8 @@ void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopw
                             : std::filesystem::absolute(options.output).lexically_normal().string();
   std::fprintf(stderr, "picture    %s\n", picture.c_str());
   std::fprintf(stderr, "size       %d x %d\n", (*options.size)[0], (*options.size)[1]);
+  std::fprintf(
+    stderr, "samples    %d x %d per pixel\n", *options.supersampling, *options.supersampling);
   std::fprintf(stderr, "triangles  %lld\n", static_cast<long long>(triangles));
   for (const auto& [stage, milliseconds] : stopwatch.GetLaps())
   {
@@ -194,6 +207,7 @@ bool Draw(Options options, VtkMessages& messages)
     CheckPicturePlace(options.output);
   }
   options.size = SizeOf(options, messages);
+  options.supersampling = SupersamplingOf(options);
 
   Stopwatch stopwatch;
   const Meshes meshes = ReadMeshes(options, messages, progress);

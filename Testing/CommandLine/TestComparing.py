@@ -310,10 +310,20 @@ class TestDrawing(CompareTest):
             os.remove(self.path("new.png"))
 
     def test_background_is_named(self):
-        self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2")
+        self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2",
+                     "--supersampling", "1")  # else the edges show both
         lines = self.compare(1, "square.obj", "--parallel-scale", "2", "--background", "blue",
                              "--compare", "b.png")
         self.assertEqual(lines[1], "the changed pixels show the background")
+
+    def test_as_many_samples_as_the_baseline(self):
+        # A .vti does not say how many it has, and counts as one, as does a PNG of others.
+        for name, samples in (("b.png", "3"), ("b.png", "1"), ("b.png", "5"), ("b.vti", "1")):
+            view = (*self.SQUARE_VIEW[:1], "--direction", "1,2,3")
+            self.succeed(*view, "-o", name, "--size", "20x20", "--supersampling", samples)
+            self.compare(0, *view, "--compare", name)
+            other = "2" if samples == "3" else "3"
+            self.compare(1, *view, "--compare", name, "--supersampling", other)
 
     def test_output_is_written_too(self):
         lines = self.compare(1, *self.SQUARE_VIEW, "--compare", "new.png", "-o", "x.png",

@@ -70,7 +70,7 @@ class TestRecreating(CommandTest):
             CONTRACT: "2",
             COMMAND_KEY: "lambent square.obj 'it'\\''s a tetrahedron, é.obj' --direction 2,1.5,4 "
                          "--color 0.5,0.5,1 "
-                         "--light 'direction=0,0,-1;color=red' --size 16x9"})
+                         "--light 'direction=0,0,-1;color=red' --size 16x9 --supersampling 3"})
 
     def test_contract_is_the_current_one(self):
         version = self.succeed("--version").decode()
@@ -105,6 +105,16 @@ class TestRecreating(CommandTest):
             # From now on it does; so it is the file that was drawn in the beginning.
             self.succeed("--recreate", "a.png", "-o", "b.png", "--quiet")
             self.assertEqual(self.read("b.png"), drawn)
+
+    # There was one sample a pixel when the command was not yet written with their number.
+    def test_a_picture_that_does_not_name_its_samples_has_one(self):
+        drawn = self.draw("--size", "30x20", "--supersampling", "1")
+        command = texts(drawn)[COMMAND_KEY].replace(" --supersampling 1", "")
+        self.assertNotIn("supersampling", command)
+        self.write("a.png", with_text(drawn, COMMAND_KEY, command))
+        self.assertIn(b"all of 600 pixels are the same", self.succeed("--recreate", "a.png"))
+        self.succeed("--recreate", "a.png", "-o", "b.png")
+        self.assertEqual(self.read("b.png"), drawn)
 
     def test_the_view_is_named_in_every_picture(self):
         for arguments, view in (((), "--direction 2,1.5,4"),

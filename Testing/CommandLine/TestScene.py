@@ -54,6 +54,19 @@ class TestCamera(CommandTest):
         self.assertEqual(self.covered("--camera-position", "2,1,4.5", "--focal-point", "2,1,0",
                                       "--view-angle", "90"), ([1, 2, 3], [4, 5, 6]))
 
+    def test_supersampling(self):
+        # The square ends in the middle of the pixels 2 and 6: half of their samples hit it.
+        view = ("square.obj", "--shading", "unlit", "--direction", "0,0,1", "--parallel-scale",
+                str(9 / 4))
+        grey = (byte(0.5),) * 3
+        for samples in ("2", "4", "16"):
+            row = self.pixels(*view, "--supersampling", samples)[4]
+            self.assertEqual(row, [BLACK] * 2 + [grey] + [WHITE] * 3 + [grey] + [BLACK] * 2)
+        # Three samples unless told otherwise.
+        self.succeed(*view, "-o", "a.pnm", "--size", "9x9")
+        self.succeed(*view, "-o", "b.pnm", "--size", "9x9", "--supersampling", "3")
+        self.assertEqual(self.read("a.pnm"), self.read("b.pnm"))
+
     def test_zoom_divides_the_angle(self):
         self.assertEqual(self.picture("--camera-position", "1,2,9", "--view-angle", "40",
                                       "--zoom", "2"),

@@ -72,6 +72,7 @@ class TestTalking(CommandTest):
         self.assertRegex(text.replace(folder, "FOLDER"),
                          r"\Apicture    FOLDER/x.png\n"
                          r"size       70 x 70\n"
+                         r"samples    3 x 3 per pixel\n"
                          r"triangles  2\n"
                          r"reading    \d+\.\d ms\n"
                          r"normals    \d+\.\d ms\n"

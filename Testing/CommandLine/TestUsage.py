@@ -18,7 +18,7 @@ class TestUsage(CommandTest):
 
     def test_help_and_version(self):
         text = self.succeed("--help").decode()
-        for option in ("--output", "--size", "--camera-position", "--focal-point", "--view-up",
+        for option in ("--output", "--size", "--supersampling", "--camera-position", "--focal-point", "--view-up",
                        "--view-angle", "--parallel-scale", "--direction", "--zoom", "--light",
                        "--headlight", "--diffuse", "--ambient", "--color", "--ambient-color",
                        "--shading", "--ambient-model", "--background", "--threads", "--quiet",
@@ -46,12 +46,14 @@ class TestUsage(CommandTest):
 
     def test_numbers_are_finite_and_in_range(self):
         for option in ("--view-angle", "--parallel-scale", "--zoom", "--diffuse", "--ambient",
-                       "--threads"):
+                       "--threads", "--supersampling"):
             for value in ("nan", "inf", "-inf", "1e999", "-1", "one", "", "1,2", "1x"):
                 self.assertIn(option, self.reject(option, value))
         for option, value in (("--view-angle", "0"), ("--view-angle", "180"),
                               ("--parallel-scale", "0"), ("--zoom", "0"), ("--diffuse", "1.1"),
-                              ("--ambient", "2"), ("--threads", "0"), ("--threads", "1.5")):
+                              ("--ambient", "2"), ("--threads", "0"), ("--threads", "1.5"),
+                              ("--supersampling", "0"), ("--supersampling", "17"),
+                              ("--supersampling", "2.5")):
             self.assertIn(option, self.reject(option, value))
 
     def test_vectors_are_three_finite_numbers(self):

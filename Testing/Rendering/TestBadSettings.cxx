@@ -53,6 +53,32 @@ TEST(BadSettings, ImageSize)
   }
 }
 
+TEST(BadSettings, Supersampling)
+{
+  for (const int samples : { -1, 0, 17, VTK_INT_MAX })
+  {
+    expectError([&](Studio& s) { s.tracer->SetSupersampling(samples); },
+      { "supersampling is " + std::to_string(samples), "1 to 16", "SetSupersampling()" },
+      [](Studio& s) { s.tracer->SetSupersampling(1); });
+  }
+}
+
+TEST(BadSettings, SamplesBeyondNumbers)
+{
+  const auto spoil = [](Studio& s)
+  {
+    s.tracer->SetImageSize(1, VTK_INT_MAX / 16 + 1);
+    s.tracer->SetSupersampling(16);
+  };
+  expectError(spoil,
+    { "2147483647 samples", "1 x 134217728", "16 x 16", "SetImageSize()", "SetSupersampling()" },
+    [](Studio& s)
+    {
+      s.tracer->SetImageSize(32, 24);
+      s.tracer->SetSupersampling(1);
+    });
+}
+
 TEST(BadSettings, ImageBeyondMemory)
 {
   const int sizes[][2] = { { 1000000, 1000000 }, { VTK_INT_MAX, VTK_INT_MAX },

@@ -12,6 +12,7 @@ TEST(Settings, Defaults)
   vtkNew<vtkLambentRayTracer> tracer;
   EXPECT_EQ(tracer->GetImageSize()[0], 300);
   EXPECT_EQ(tracer->GetImageSize()[1], 300);
+  EXPECT_EQ(tracer->GetSupersampling(), 1);
   EXPECT_EQ(tracer->GetCamera(), nullptr);
   EXPECT_EQ(tracer->GetLights()->GetNumberOfItems(), 0);
   EXPECT_EQ(tracer->GetProperty(), nullptr);
@@ -91,11 +92,11 @@ TEST(Settings, PrintSelfIsWhole)
   tracer->SetBackground2(0.75, 0.625, 0.375);
   std::ostringstream text;
   tracer->Print(text);
-  for (const char* part : { "ImageSize: 123 x 456", "Camera: (none)", "Lights:", "Property: (none)",
-         "AmbientModel: PerLight", "TwoSidedLighting: On", "Background: (0.125, 0.25, 0.5)",
-         "GradientBackground: Off", "Background2: (0.75, 0.625, 0.375)",
-         "OutputScalarType: unsigned char", "UsePointNormals: On", "Splitting: On",
-         "FeatureAngle: 30" })
+  for (const char* part : { "ImageSize: 123 x 456", "Supersampling: 1", "Camera: (none)",
+         "Lights:", "Property: (none)", "AmbientModel: PerLight", "TwoSidedLighting: On",
+         "Background: (0.125, 0.25, 0.5)", "GradientBackground: Off",
+         "Background2: (0.75, 0.625, 0.375)", "OutputScalarType: unsigned char",
+         "UsePointNormals: On", "Splitting: On", "FeatureAngle: 30" })
   {
     EXPECT_NE(text.str().find(part), std::string::npos) << part << " in\n" << text.str();
   }
