@@ -181,7 +181,7 @@ struct Picture
   Report report;
 };
 
-Picture draw(const FuzzScene& from, const Window& part, const Settings& settings,
+Picture draw(const FuzzScene& from, int samples, const Window& part, const Settings& settings,
   const Parallel& parallel, int abortAfter = -1)
 {
   Picture picture;
@@ -190,6 +190,7 @@ Picture draw(const FuzzScene& from, const Window& part, const Settings& settings
   image.width = from.width;
   image.height = from.height;
   image.part = part;
+  image.samples = samples;
   image.floats = picture.floats.data();
   picture.report = render(
     from.scene, image, parallel, [&abortAfter](double) { return abortAfter-- != 0; }, settings);
@@ -244,6 +245,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::vector<std::string> targets = vectorTargets();
   FuzzInput input(data, size);
   // How the work is cut comes first: it is short, and the scene takes all that is left.
+  const int samples = 1 + input.choice(4);
   Settings settings;
   settings.tileShift = input.choice(7);
   settings.chunk = 1 + input.choice(32);
@@ -266,10 +268,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Parallel& parallel = threads > 1 ? several : one;
   if (abortAfter >= 0)
   {
-    draw(scene, part, settings, parallel, abortAfter); // and nothing bad happens
+    draw(scene, samples, part, settings, parallel, abortAfter); // and nothing bad happens
   }
   const Window all{ 0, width, 0, height };
-  const Picture whole = draw(scene, all, Settings::bruteForce(all), one);
-  compare(scene, whole, draw(scene, part, settings, parallel), part);
+  const Settings plain = Settings::bruteForce({ 0, samples * width, 0, samples * height });
+  const Picture whole = draw(scene, samples, all, plain, one);
+  compare(scene, whole, draw(scene, samples, part, settings, parallel), part);
   return 0;
 }

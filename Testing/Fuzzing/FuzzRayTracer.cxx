@@ -135,6 +135,7 @@ public:
     , Count(this->Tracer)
     , Threads(this->Input.seldom(32) ? 2 + this->Input.choice(2) : 1)
   {
+    this->Tracer->SetSupersampling(1 + this->Input.choice(4));
     this->Tracer->SetImageSize(
       1 + this->Input.choice(mostPixels), 1 + this->Input.choice(mostPixels));
     this->addInput();
@@ -346,6 +347,7 @@ private:
     image.width = this->Tracer->GetImageSize()[0];
     image.height = this->Tracer->GetImageSize()[1];
     image.part = { extent[0], extent[1] + 1, extent[2], extent[3] + 1 };
+    image.samples = this->Tracer->GetSupersampling();
     std::vector<float> floats(colors->GetNumberOfValues());
     std::vector<unsigned char> bytes(colors->GetNumberOfValues());
     const bool isFloat = colors->GetDataType() == VTK_FLOAT;
@@ -360,7 +362,7 @@ private:
     const lambent::adapters::SceneSettings settings = this->settings();
     const lambent::adapters::SceneFromSettings scene(settings, one);
     const lambent::Report report =
-      render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.part));
+      render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.samplePart()));
     require(report.outcome == lambent::Outcome::Done, "brute force can draw it, too");
     for (std::size_t k = 0; k < floats.size(); ++k)
     {
