@@ -6,8 +6,8 @@
 #include "LightModel.h"
 #include "RandomScenes.h"
 #include "Render.h"
-#include "TrianglePoints.h"
 #include "ThreadedParallel.h"
+#include "TrianglePoints.h"
 
 #include <gtest/gtest.h>
 
