@@ -57,7 +57,7 @@ struct SceneSettings;
 class VTKLAMBENT_EXPORT vtkLambentAlgorithm : public vtkImageAlgorithm
 {
 public:
-  vtkAbstractTypeMacro(vtkLambentAlgorithm, vtkImageAlgorithm);
+  vtkAbstractTypeMacro(vtkLambentAlgorithm, vtkImageAlgorithm)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
