@@ -184,7 +184,7 @@ MUTATIONS = [
      "flat and smooth surfaces are not shaded together"),
     (PAINTING, "range.hasGivenNormals || other.hasGivenNormals", "range.hasGivenNormals",
      "one surface with cell normals among others"),
-    ("Rendering/Core/Tiles/Binning.cxx", "+ boxed->begin - boxed->first);", "+ boxed->begin);",
+    ("Rendering/Core/Tiles/Binning.cxx", "+ boxed.begin - boxed.first)", "+ boxed.begin)",
      "triangles of several surfaces keep their numbers"),
     ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
      "points that are located together lie side by side"),

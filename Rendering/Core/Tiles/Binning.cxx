@@ -98,6 +98,24 @@ void Binning::binBoxes(BinningMemory& memory) const
   memory.parts.clear();
 }
 
+/// What binFound() needs of a part, in local variables.
+struct Binning::BoxedPartView
+{
+  TupleSpan points;
+  std::uint32_t number;
+  std::uint32_t first; ///< the triangle of place 0
+  std::int32_t offset;
+  bool isCulling;
+};
+
+Binning::BoxedPartView Binning::viewOf(const BoxedPart& boxed) const
+{
+  const SceneMesh::Part& part = *boxed.part;
+  return { part.points(), static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(part)),
+    static_cast<std::uint32_t>(part.firstTriangle + boxed.begin - boxed.first), boxed.offset,
+    part.isCulling() };
+}
+
 /// Bins the triangles that have a ray in their box.
 template <bool IsOnePart>
 void Binning::binFound(BinningMemory& memory) const
@@ -106,8 +124,7 @@ void Binning::binFound(BinningMemory& memory) const
   const BoxedPart* boxed = memory.parts.data();
   memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
   memory.part = boxed->part;
-  const SceneMesh::Part* part = boxed->part;
-  auto first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin);
+  BoxedPartView view = this->viewOf(*boxed);
   for (int k = 0; k < boxes.found; ++k)
   {
     const std::uint32_t place = boxes.triangles[k];
@@ -117,23 +134,22 @@ void Binning::binFound(BinningMemory& memory) const
       {
         ++boxed;
       }
-      part = boxed->part;
-      first = static_cast<std::uint32_t>(boxed->part->firstTriangle + boxed->begin - boxed->first);
+      view = this->viewOf(*boxed);
     }
     const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
     const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
-    const std::uint32_t triangle = first + place;
-    if (isExact && !part->isCulling() && box.width() <= SmallTriangles::side &&
+    const std::uint32_t triangle = view.first + place;
+    if (isExact && !view.isCulling && box.width() <= SmallTriangles::side &&
       box.height() <= SmallTriangles::side)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
-        corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : boxed->offset);
-        hwy::Prefetch(part->points().at(corners[corner])); // for flush()
+        corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : view.offset);
+        hwy::Prefetch(view.points.at(corners[corner])); // for flush()
       }
-      this->addSmall({ triangle, static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(*part)),
-                       { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
+      this->addSmall(
+        { triangle, view.number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
         box.width(), box.height(), memory);
     }
     else

@@ -98,6 +98,8 @@ private:
   void add(
     const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const;
   void binBoxes(BinningMemory& memory) const;
+  struct BoxedPartView;
+  BoxedPartView viewOf(const BoxedPart& boxed) const;
   template <bool IsOnePart>
   void binFound(BinningMemory& memory) const;
   void binUnplaced(BinningMemory& memory) const;

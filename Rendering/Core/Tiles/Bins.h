@@ -181,10 +181,17 @@ public:
   void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
   {
     const TileGrid::Level& level = this->Finest;
-    const int column = level.tileOf(i), row = level.tileOf(j);
-    const int sample = ((j - row * level.size) << this->RowShift) + (i - column * level.size);
+    if (level.shift >= 0)
+    {
+      const int inTile = level.size - 1;
+      const int sample = ((j & inTile) << level.shift) + (i & inTile);
+      this->Hits.append(
+        level.tileAt(i, j), { triangle, static_cast<std::uint32_t>(sample), nearness });
+      return;
+    }
+    const int sample = ((j - level.beginOf(j)) << this->RowShift) + (i - level.beginOf(i));
     this->Hits.append(
-      row * level.columns + column, { triangle, static_cast<std::uint32_t>(sample), nearness });
+      level.tileAt(i, j), { triangle, static_cast<std::uint32_t>(sample), nearness });
   }
 
 private:
