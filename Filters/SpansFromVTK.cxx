@@ -6,6 +6,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
+#include <optional>
+
 namespace lambent::adapters
 {
 namespace
@@ -14,6 +16,33 @@ IndexSpan toIndices(vtkDataArray* array)
 {
   return { array->GetVoidPointer(0), array->GetDataTypeSize() == 8,
     static_cast<std::size_t>(array->GetNumberOfValues()) };
+}
+
+/// The type of an array's numbers; none for types that must be converted, like bits.
+std::optional<AttributeType> attributeType(vtkDataArray* array)
+{
+  if (array->GetDataType() == VTK_BIT)
+  {
+    return std::nullopt;
+  }
+  if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
+  {
+    return array->GetDataType() == VTK_FLOAT ? AttributeType::Float : AttributeType::Double;
+  }
+  const bool isSigned = array->GetDataTypeMin() < 0.0;
+  switch (array->GetDataTypeSize())
+  {
+    case 1:
+      return isSigned ? AttributeType::Int8 : AttributeType::UInt8;
+    case 2:
+      return isSigned ? AttributeType::Int16 : AttributeType::UInt16;
+    case 4:
+      return isSigned ? AttributeType::Int32 : AttributeType::UInt32;
+    case 8:
+      return isSigned ? AttributeType::Int64 : AttributeType::UInt64;
+    default:
+      return std::nullopt;
+  }
 }
 
 // Two arrays of signed integers of the same width, one number after the other. VTK
@@ -42,6 +71,24 @@ TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
   }
   return { array->GetVoidPointer(0), array->GetDataType() == VTK_DOUBLE,
     static_cast<std::size_t>(array->GetNumberOfTuples()) };
+}
+
+AttributeSpan SpansFromVTK::attribute(vtkDataArray* array, bool isPerCell)
+{
+  if (!array || array->GetNumberOfTuples() == 0)
+  {
+    return {};
+  }
+  std::optional<AttributeType> type = attributeType(array);
+  if (!type || !array->HasStandardMemoryLayout())
+  {
+    vtkNew<vtkDoubleArray> copy;
+    copy->DeepCopy(array);
+    this->Converted.emplace_back(copy);
+    array = copy;
+    type = AttributeType::Double;
+  }
+  return { array->GetVoidPointer(0), *type, array->GetNumberOfComponents(), isPerCell };
 }
 
 CellSpan SpansFromVTK::cells(vtkCellArray* array)

@@ -11,6 +11,7 @@
 #ifndef SpansFromVTK_h
 #define SpansFromVTK_h
 
+#include "AttributeSpan.h"
 #include "Spans.h"
 
 #include "vtkObjectBase.h"
@@ -28,6 +29,8 @@ class SpansFromVTK
 public:
   /// Tuples of three components; nullptr gives none.
   TupleSpan tuples(vtkDataArray* array);
+  /// Any number type and number of components; nullptr gives none.
+  AttributeSpan attribute(vtkDataArray* array, bool isPerCell);
   /// nullptr, and no cells, give none.
   CellSpan cells(vtkCellArray* array);
 

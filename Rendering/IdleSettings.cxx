@@ -4,6 +4,7 @@
 
 #include "AppearanceFromVTK.h"
 #include "CameraFromVTK.h"
+#include "PassArrays.h"
 #include "SceneSettings.h"
 
 #include "vtkLight.h"
@@ -157,6 +158,18 @@ void addLights(Messages& messages, const SceneSettings& settings)
     }
   }
 }
+
+void addBackground(Messages& messages, const SceneSettings& settings)
+{
+  const bool hasColor = settings.background != Vec3(0.0) || settings.backgroundTop != Vec3(0.0);
+  if (settings.outputAlpha && (hasColor || settings.backgroundImage))
+  {
+    messages.push_back(
+      std::string(settings.backgroundImage ? "SetBackgroundImage()" : "SetBackground()") +
+      " has no effect: with OutputAlpha the picture has no background. Call OutputAlphaOff(), or "
+      "lay the picture over a background afterwards.");
+  }
+}
 }
 
 std::vector<std::string> findIdleSettings(const SceneSettings& settings)
@@ -174,6 +187,11 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
   addProperties(messages, settings);
   addNormalSettings(messages, settings);
   addLights(messages, settings);
+  addBackground(messages, settings);
+  for (const std::string& message : describeMissing(settings))
+  {
+    messages.push_back(message);
+  }
   return messages;
 }
 }

@@ -4,6 +4,7 @@
 
 #include "Chunks.h"
 #include "InputShares.h"
+#include "PassArrays.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -119,6 +120,49 @@ void InputSurfaces::computeSmallNormals(
   {
     throw std::runtime_error(*first);
   }
+}
+
+void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& arrays)
+{
+  for (std::size_t attribute = 0; attribute < arrays.size(); ++attribute)
+  {
+    std::size_t first = this->Surfaces.size(); // input that has it
+    for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
+    {
+      forInput(k, [&]() { this->Surfaces[k]->addAttribute(arrays[attribute]); });
+      const auto components = [&](std::size_t input)
+      { return this->Surfaces[input]->surface().attributes[attribute].components; };
+      if (!this->Surfaces[k]->surface().attributes[attribute])
+      {
+        continue;
+      }
+      first = std::min(first, k);
+      if (components(k) != components(first))
+      {
+        throw std::runtime_error("Input " + std::to_string(k) + ": the " +
+          describe(arrays[attribute]) + " has " + std::to_string(components(k)) +
+          " components, but that of input " + std::to_string(first) + " has " +
+          std::to_string(components(first)) +
+          ". Give them the same number, or rename one of them.");
+      }
+    }
+  }
+}
+
+/// Floats, unless the numbers of one input do not fit into them.
+InputSurfaces::ArrayForm InputSurfaces::formOf(std::size_t attribute) const
+{
+  ArrayForm form;
+  for (const auto& surface : this->Surfaces)
+  {
+    if (const AttributeSpan& values = surface->surface().attributes[attribute])
+    {
+      form.components = values.components;
+      form.isDouble = form.isDouble ||
+        (values.type >= AttributeType::Int32 && values.type != AttributeType::Float);
+    }
+  }
+  return form;
 }
 
 std::vector<Surface> InputSurfaces::surfaces() const

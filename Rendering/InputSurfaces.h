@@ -31,6 +31,17 @@ public:
   /// Whether it has computed some.
   bool hasComputedNormals() const { return this->HasComputedNormals; }
 
+  /// Give each surface its arrays, in this order. All inputs that have an array must have the same
+  /// number of components.
+  void addAttributes(const std::vector<SceneSettings::PassArray>& arrays);
+  /// An array of the picture for one of them: its components, and whether its numbers are doubles.
+  struct ArrayForm
+  {
+    int components = 1;
+    bool isDouble = false;
+  };
+  ArrayForm formOf(std::size_t attribute) const;
+
   /// Which input and cell a triangle, counted over all inputs, belongs to.
   struct Place
   {

@@ -17,13 +17,14 @@
 #include <vtksys/SystemInformation.hxx>
 
 #include <new>
+#include <string>
 
 namespace lambent::adapters
 {
 namespace
 {
-/// Refuse what the machine's memory certainly cannot hold. Most systems would
-/// promise it all the same and end the process once it is written to.
+/// Refuses what the machine's memory certainly cannot hold. Most systems would promise it all the
+/// same and end the process once it is written to.
 void checkMemory(double bytes)
 {
   constexpr double alwaysTried = 1e9;
@@ -37,25 +38,76 @@ void checkMemory(double bytes)
     }
   }
 }
+
+struct NamedPass
+{
+  Pass pass;
+  std::string name;
+};
+
+std::vector<NamedPass> passesOf(const OutputSettings& settings, const InputSurfaces& surfaces)
+{
+  std::vector<NamedPass> passes;
+  const auto add =
+    [&](bool isWanted, const char* name, PassContent content, int components, bool isDouble)
+  {
+    if (isWanted)
+    {
+      passes.push_back({ { content, components, isDouble, nullptr, 0 }, name });
+    }
+  };
+  add(settings.depth, "Depth", PassContent::Depth, 1, false);
+  add(settings.normals, "Normals", PassContent::Normal, 3, false);
+  add(settings.positions, "Positions", PassContent::Position, 3, true);
+  for (std::size_t k = 0; k < settings.passArrays.size(); ++k)
+  {
+    const InputSurfaces::ArrayForm form = surfaces.formOf(k);
+    passes.push_back({ { PassContent::Attribute, form.components, form.isDouble, nullptr, k },
+      settings.passArrays[k].name });
+  }
+  return passes;
 }
 
-Image allocateImage(
-  const int size[2], int scalarType, vtkInformation* outInfo, vtkImageData* output)
+double bytesPerPixel(const OutputSettings& settings, const std::vector<NamedPass>& passes)
+{
+  const int colorSize = vtkDataArray::GetDataTypeSize(settings.scalarType);
+  double bytes = (settings.alpha ? 4.0 : 3.0) * colorSize;
+  bytes += settings.ids ? 2.0 * sizeof(vtkIdType) + sizeof(std::uint32_t) : 0.0;
+  for (const NamedPass& pass : passes)
+  {
+    bytes += static_cast<double>(pass.pass.components) * (pass.pass.isDouble ? 8 : 4);
+  }
+  return bytes;
+}
+
+vtkSmartPointer<vtkDataArray> makeArray(
+  int type, const std::string& name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+}
+
+Image allocateImage(const OutputSettings& settings, const InputSurfaces& surfaces,
+  vtkInformation* outInfo, vtkImageData* output)
 {
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   Image image;
-  image.width = size[0];
-  image.height = size[1];
+  image.width = settings.size[0];
+  image.height = settings.size[1];
   image.part = { extent[0], extent[1] + 1, extent[2], extent[3] + 1 };
-
-  auto colors = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(scalarType));
+  image.samples = settings.samples;
+  image.hasAlpha = settings.alpha;
   const vtkIdType pixels = static_cast<vtkIdType>(image.part.width()) * image.part.height();
-  checkMemory(3.0 * pixels * colors->GetDataTypeSize());
-  colors->SetName("Color");
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(pixels);
+  std::vector<NamedPass> passes = passesOf(settings, surfaces);
+  checkMemory(bytesPerPixel(settings, passes) * static_cast<double>(pixels));
+
   output->SetExtent(extent);
+  const auto colors = makeArray(settings.scalarType, "Color", image.channels(), pixels);
   output->GetPointData()->SetScalars(colors);
   if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(colors))
   {
@@ -64,6 +116,14 @@ Image allocateImage(
   if (auto* floats = vtkFloatArray::SafeDownCast(colors))
   {
     image.floats = floats->GetPointer(0);
+  }
+  for (NamedPass& named : passes)
+  {
+    const auto array = makeArray(
+      named.pass.isDouble ? VTK_DOUBLE : VTK_FLOAT, named.name, named.pass.components, pixels);
+    named.pass.data = array->GetVoidPointer(0);
+    output->GetPointData()->AddArray(array);
+    image.passes.push_back(named.pass);
   }
   return image;
 }

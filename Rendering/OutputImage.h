@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what the filter puts into its output
+ * @brief the arrays of the output
  */
 #ifndef OutputImage_h
 #define OutputImage_h
 
 #include "Render.h"
+#include "SceneSettings.h"
 
 #include <vector>
 
@@ -18,13 +19,25 @@ namespace lambent::adapters
 {
 class InputSurfaces;
 
-/// Give the output the extent that is asked for, and its "Color" scalars. size: of the
-/// whole image. Throws std::bad_alloc for more than the machine has memory.
-Image allocateImage(
-  const int size[2], int scalarType, vtkInformation* outInfo, vtkImageData* output);
+/// What the output holds.
+struct OutputSettings
+{
+  int size[2] = { 0, 0 }; ///< of the whole image
+  int scalarType = 0;     ///< of "Color"
+  int samples = 1;
+  bool alpha = false;
+  bool ids = false;
+  bool depth = false, normals = false, positions = false;
+  std::vector<SceneSettings::PassArray> passArrays;
+};
 
-/// Add the point arrays "CellIds" and "InputIds" to the output, from the number of the
-/// triangle that each pixel shows.
+/// Gives the output the extent that is asked for, and its arrays but for the ids. Throws
+/// std::bad_alloc if all of them need more than the machine's memory.
+Image allocateImage(const OutputSettings& settings, const InputSurfaces& surfaces,
+  vtkInformation* outInfo, vtkImageData* output);
+
+/// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the triangle
+/// that each pixel shows.
 void addIds(
   const std::vector<std::uint32_t>& triangles, const InputSurfaces& surfaces, vtkImageData* output);
 }

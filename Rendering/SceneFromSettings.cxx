@@ -3,10 +3,12 @@
 #include "SceneFromSettings.h"
 
 #include "AppearanceFromVTK.h"
+#include "BackgroundFromVTK.h"
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
 #include "Chunks.h"
 #include "LightFromVTK.h"
+#include "PassArrays.h"
 
 #include "vtkLight.h"
 
@@ -29,6 +31,7 @@ SceneFromSettings::SceneFromSettings(const SceneSettings& settings, const Parall
   this->addCamera(Share(parallel, surfacesShare, boundsShare));
   this->addLights();
   this->addBackground();
+  checkNames(settings.passArrays);
   this->addSurfaces(Share(parallel, boundsShare, 1.0));
 }
 
@@ -110,6 +113,8 @@ void SceneFromSettings::addBackground()
     throw std::runtime_error("The background has a channel that is not a finite number. Call "
                              "SetBackground() and SetBackground2() with finite ones.");
   }
+  this->Description.backgroundImage =
+    backgroundFromVTK(this->Settings.backgroundImage, this->BackgroundSpans);
 }
 
 void SceneFromSettings::addSurfaces(const Parallel& parallel)
@@ -122,6 +127,7 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
   constexpr double smoothEverywhere = 180.0;
   this->Surfaces.addNormals(this->Settings.usePointNormals,
     this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
+  this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();
 }
 }

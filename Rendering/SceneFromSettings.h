@@ -36,6 +36,7 @@ private:
 
   const SceneSettings& Settings;
   InputSurfaces Surfaces;
+  SpansFromVTK BackgroundSpans;
   Scene Description;
 };
 }

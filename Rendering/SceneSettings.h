@@ -13,9 +13,11 @@
 
 #include "Scene.h"
 
+#include <string>
 #include <vector>
 
 class vtkCamera;
+class vtkImageData;
 class vtkLight;
 class vtkPolyData;
 class vtkProperty;
@@ -40,12 +42,22 @@ struct SceneSettings
   bool splitting = true;
   double featureAngle = 30.0; ///< degrees
 
+  /// Point or cell arrays of the inputs that become point arrays of the picture.
+  struct PassArray
+  {
+    int association; ///< vtkDataObject::FIELD_ASSOCIATION_POINTS or _CELLS
+    std::string name;
+  };
+  std::vector<PassArray> passArrays;
+
   // Of the picture.
   int imageSize[2] = { 300, 300 };
   AmbientModel ambientModel = AmbientModel::PerLight;
   bool twoSidedLighting = true;
   Vec3 background{ 0.0 };    ///< at the bottom edge
   Vec3 backgroundTop{ 0.0 }; ///< at the top edge
+  vtkImageData* backgroundImage = nullptr;
+  bool outputAlpha = false;
 
   vtkProperty* propertyOf(const Input& input) const
   {

@@ -6,10 +6,12 @@
 #include "CheckedFaces.h"
 #include "Chunks.h"
 #include "MissingPoint.h"
+#include "PassArrays.h"
 #include "TriangleNormals.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -72,6 +74,24 @@ void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& paralle
       numbersOfTriangles(checked.faces.cells, this->Normals, corners, Share(parallel, 0.95, 1.0));
     this->Result.normalNumbers.data = this->NormalNumbers.data();
   }
+}
+
+void SurfaceFromVTK::addAttribute(const SceneSettings::PassArray& wanted)
+{
+  vtkDataArray* const array = findArray(this->Input, wanted);
+  const bool isPerCell = wanted.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const vtkIdType expected =
+    isPerCell ? this->Input->GetNumberOfCells() : this->Input->GetNumberOfPoints();
+  if (array && (array->GetNumberOfTuples() != expected || array->GetNumberOfComponents() < 1))
+  {
+    std::ostringstream text;
+    text << "the " << adapters::describe(wanted) << " has " << array->GetNumberOfTuples()
+         << " tuples of " << array->GetNumberOfComponents() << " components, but there are "
+         << expected << (isPerCell ? " cells" : " points")
+         << ", each of which needs a tuple. Correct the array, or call RemoveAllPassArrays().";
+    throw std::runtime_error(text.str());
+  }
+  this->Result.attributes.push_back(this->Spans.attribute(array, isPerCell));
 }
 
 TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, const char* kind)

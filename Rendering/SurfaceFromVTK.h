@@ -16,6 +16,7 @@
 #include "MergedFaces.h"
 #include "Parallel.h"
 #include "Scene.h"
+#include "SceneSettings.h"
 #include "SpansFromVTK.h"
 #include "Triangulation.h"
 
@@ -40,6 +41,9 @@ public:
   void setPointNormals(vtkDataArray* normals);
   /// Computes them, one for each corner (CornerNormals.h).
   void computeNormals(double featureAngle, const Parallel& parallel);
+
+  /// Adds the array of that name, or, if the polydata has none, an empty attribute.
+  void addAttribute(const SceneSettings::PassArray& array);
 
   /// What is wrong with a cell that names a point that does not exist.
   std::string describeWrongCell(std::int64_t cell) const;

@@ -7,6 +7,7 @@
 #include "ImageContract.h"
 #include "NewMessages.h"
 #include "OutputImage.h"
+#include "PassArrays.h"
 #include "Render.h"
 #include "SceneFromSettings.h"
 #include "Vec3FromVTK.h"
@@ -34,6 +35,7 @@ constexpr double sceneShare = 0.3;
 
 struct vtkLambentAlgorithm::Internals
 {
+  std::vector<SceneSettings::PassArray> PassArrays;
   NewMessages Warnings;
 };
 
@@ -46,13 +48,23 @@ vtkLambentAlgorithm::vtkLambentAlgorithm()
   , Background{ 0.0, 0.0, 0.0 }
   , GradientBackground(0)
   , Background2{ 0.0, 0.0, 0.0 }
+  , BackgroundImage(nullptr)
+  , OutputAlpha(0)
   , OutputScalarType(VTK_UNSIGNED_CHAR)
+  , GenerateDepth(0)
+  , GenerateNormals(0)
+  , GeneratePositions(0)
   , GenerateIds(0)
   , Internal(new Internals)
 {
 }
 
-vtkLambentAlgorithm::~vtkLambentAlgorithm() = default;
+vtkLambentAlgorithm::~vtkLambentAlgorithm()
+{
+  this->SetBackgroundImage(nullptr);
+}
+
+vtkCxxSetObjectMacro(vtkLambentAlgorithm, BackgroundImage, vtkImageData);
 
 //------------------------------------------------------------------------------
 void vtkLambentAlgorithm::SetOutputScalarType(int type)
@@ -68,6 +80,34 @@ void vtkLambentAlgorithm::SetOutputScalarType(int type)
     this->OutputScalarType = type;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkLambentAlgorithm::AddPassArray(int association, const char* name)
+{
+  if (!name || !*name)
+  {
+    vtkErrorMacro("AddPassArray() was given no name; it takes that of a point or cell array.");
+    return;
+  }
+  this->Internal->PassArrays.push_back({ association, name });
+  this->Modified();
+}
+
+void vtkLambentAlgorithm::RemoveAllPassArrays()
+{
+  if (!this->Internal->PassArrays.empty())
+  {
+    this->Internal->PassArrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLambentAlgorithm::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->BackgroundImage ? std::max(time, this->BackgroundImage->GetMTime()) : time;
 }
 
 int vtkLambentAlgorithm::GetImageContractVersion()
@@ -123,7 +163,8 @@ int vtkLambentAlgorithm::RequestInformation(
   outInfo->Set(vtkDataObject::ORIGIN(), origin, 3);
   outInfo->Set(vtkDataObject::SPACING(), spacing, 3);
   outInfo->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->OutputScalarType, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    outInfo, this->OutputScalarType, this->OutputAlpha ? 4 : 3);
   return 1;
 }
 
@@ -170,6 +211,24 @@ void vtkLambentAlgorithm::AddOwnSettings(SceneSettings& scene)
   scene.background = vec3FromVTK(this->Background);
   scene.backgroundTop =
     this->GradientBackground ? vec3FromVTK(this->Background2) : scene.background;
+  scene.backgroundImage = this->BackgroundImage;
+  scene.outputAlpha = this->OutputAlpha != 0;
+  scene.passArrays = this->Internal->PassArrays;
+}
+
+OutputSettings vtkLambentAlgorithm::DescribeOutput() const
+{
+  OutputSettings settings;
+  std::copy_n(this->ImageSize, 2, settings.size);
+  settings.scalarType = this->OutputScalarType;
+  settings.samples = this->Supersampling;
+  settings.alpha = this->OutputAlpha != 0;
+  settings.ids = this->GenerateIds != 0;
+  settings.depth = this->GenerateDepth != 0;
+  settings.normals = this->GenerateNormals != 0;
+  settings.positions = this->GeneratePositions != 0;
+  settings.passArrays = this->Internal->PassArrays;
+  return settings;
 }
 
 void vtkLambentAlgorithm::WarnOfIdleSettings(const SceneSettings& scene)
@@ -196,8 +255,8 @@ void vtkLambentAlgorithm::MakePicture(
     : sceneShare * (1.0 - SceneFromSettings::normalsShare);
   parallel.checkAbort();
   this->SetProgressText("rendering");
-  lambent::Image image = allocateImage(this->ImageSize, this->OutputScalarType, outInfo, output);
-  image.samples = this->Supersampling;
+  lambent::Image image =
+    allocateImage(this->DescribeOutput(), description.surfaces(), outInfo, output);
   std::vector<std::uint32_t> triangles;
   if (this->GenerateIds)
   {
@@ -243,7 +302,17 @@ void vtkLambentAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   printColor("Background", this->Background);
   printSwitch("GradientBackground", this->GradientBackground);
   printColor("Background2", this->Background2);
+  os << indent << "BackgroundImage: "
+     << (this->BackgroundImage ? this->BackgroundImage->GetClassName() : "(none)") << "\n";
+  printSwitch("OutputAlpha", this->OutputAlpha);
   os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType)
      << "\n";
+  printSwitch("GenerateDepth", this->GenerateDepth);
+  printSwitch("GenerateNormals", this->GenerateNormals);
+  printSwitch("GeneratePositions", this->GeneratePositions);
   printSwitch("GenerateIds", this->GenerateIds);
+  for (const SceneSettings::PassArray& array : this->Internal->PassArrays)
+  {
+    os << indent << "PassArray: " << describe(array) << "\n";
+  }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLambentAlgorithm
- * @brief   what all ray-traced pictures have: size, background, light switches, output
+ * @brief   what all ray-traced pictures have: size, samples, background, output arrays
  *
  * vtkLambentAlgorithm is the abstract superclass of the classes that make pictures. It
  * renders a scene into vtkImageData; a subclass says which scene (DescribeScene()).
@@ -16,16 +16,28 @@
  *    (progress text "normals").
  * 4. The part of the image that is asked for is rendered ("rendering").
  *
- * Output: vtkImageData of extent (0, width-1, 0, height-1, 0, 0), spacing 1,
- * origin 0, row 0 at the bottom, with the active point scalars "Color", 3
- * components of unsigned char (default) or float; with GenerateIds also "CellIds"
- * and "InputIds". A part of the extent that is asked for downstream is computed alone
- * and equals that part of the whole.
+ * Output: vtkImageData of extent (0, width-1, 0, height-1, 0, 0), spacing 1, origin 0, row 0 at
+ * the bottom, with these point arrays. A part of the extent that is requested downstream is
+ * computed alone and equals that part of the whole.
  *
- * Progress is told, and an abort heeded, every few tens of milliseconds. After an abort or an
- * error the output is empty. An error names the cause and the remedy: an image size below 1 or
- * beyond memory, a supersampling outside 1 to 16, a background that is not finite, and what
- * subclasses add.
+ * array         | type                           | where nothing is hit | if
+ * ------------- | ------------------------------ | -------------------- | ---------------------
+ * "Color"       | unsigned char or float, 3 or 4 | background           | always; active scalars
+ * "Depth"       | float                          | NaN                  | GenerateDepth
+ * "Normals"     | float, 3                       | NaN                  | GenerateNormals
+ * "Positions"   | double, 3                      | NaN                  | GeneratePositions
+ * "CellIds"     | vtkIdType                      | -1                   | GenerateIds
+ * "InputIds"    | vtkIdType                      | -1                   | GenerateIds
+ * the array's   | float or double                | NaN                  | AddPassArray()
+ *
+ * All but "Color" show what one sample of the pixel sees, the middle one, whatever the light and
+ * the colours are. So the picture is also a probe of the geometry, one ray per pixel.
+ *
+ * The filter reports progress and responds to an abort every few tens of milliseconds. After an
+ * abort or an error the output is empty. An error names the cause and the remedy: an image size
+ * below 1 or beyond memory, a supersampling outside 1 to 16, a background that is not finite, a
+ * background image that cannot be used, pass arrays whose names clash or whose sizes are wrong, and
+ * what subclasses add.
  *
  * @warning
  * Only classes of this library can be subclasses: what they describe a scene with is not
@@ -41,7 +53,7 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkLambentModule.h" // For export macro
 
-#include <memory> // For the warnings given
+#include <memory> // For pass arrays and the warnings given
 #include <string> // For messages
 
 class vtkImageData;
@@ -50,6 +62,7 @@ namespace lambent
 {
 namespace adapters
 {
+struct OutputSettings;
 struct SceneSettings;
 }
 }
@@ -131,6 +144,33 @@ public:
 
   ///@{
   /**
+   * An image behind the surfaces, instead of Background: unsigned char (0 to 255 mean 0 to 1) or
+   * float scalars of 1 to 4 components: grey, grey and alpha, RGB or RGBA. Where its alpha
+   * (straight) is below 1, Background shows through. The image is stretched to the whole picture;
+   * between the centres of its pixels colours are interpolated linearly, beyond them they are those
+   * of the edge. So an image of the picture's size is reproduced exactly. An image that is much
+   * larger than the picture should be reduced first, with vtkImageResize. It is shared with the
+   * caller and not updated. Default: none (nullptr).
+   */
+  virtual void SetBackgroundImage(vtkImageData* image);
+  vtkImageData* GetBackgroundImage() { return this->BackgroundImage; }
+  ///@}
+
+  ///@{
+  /**
+   * Give "Color" a fourth component, alpha: the fraction of the pixel's samples that hit a
+   * surface, 0 to 1 or 0 to 255. The other components are then the mean colour of these samples
+   * alone (straight alpha), and 0 where alpha is 0, so that the picture can be laid over anything.
+   * It has no background; setting one causes a warning. With Supersampling 1, alpha is 0 or 1.
+   * Default: off.
+   */
+  vtkSetMacro(OutputAlpha, vtkTypeBool);
+  vtkGetMacro(OutputAlpha, vtkTypeBool);
+  vtkBooleanMacro(OutputAlpha, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * The type of "Color": VTK_UNSIGNED_CHAR, floor(255 clamp(I, 0, 1) + 1/2), or
    * VTK_FLOAT, I as it is, linear and not clamped. Any other type is an error.
    * Default: VTK_UNSIGNED_CHAR.
@@ -143,16 +183,64 @@ public:
 
   ///@{
   /**
-   * Also tell what each pixel shows, in two more point arrays of vtkIdType: "CellIds",
-   * the cell of the input mesh, and "InputIds", the connection of port 0 that the mesh
-   * came by, counted from 0. Both are -1 where nothing is hit. Of several cells at the
-   * same depth it is the one of the smallest input, then of the smallest id. The
-   * colours stay the same. Takes 20 bytes a pixel. Default: off.
+   * Add the point array "Depth": the distance of the surface from the camera along the viewing
+   * direction, in world units. Default: off.
+   */
+  vtkSetMacro(GenerateDepth, vtkTypeBool);
+  vtkGetMacro(GenerateDepth, vtkTypeBool);
+  vtkBooleanMacro(GenerateDepth, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "Normals": the unit normal that shading uses, in world coordinates:
+   * interpolated where the surface is shaded smooth, and turned to the viewer's side with
+   * TwoSidedLighting. Surfaces that are not lit have the normals of their faces. NaN where the
+   * normals of a face are zero. Default: off.
+   */
+  vtkSetMacro(GenerateNormals, vtkTypeBool);
+  vtkGetMacro(GenerateNormals, vtkTypeBool);
+  vtkBooleanMacro(GenerateNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "Positions": where the ray hits the surface, in world coordinates.
+   * Default: off.
+   */
+  vtkSetMacro(GeneratePositions, vtkTypeBool);
+  vtkGetMacro(GeneratePositions, vtkTypeBool);
+  vtkBooleanMacro(GeneratePositions, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point arrays "CellIds", the cell of the input mesh, and "InputIds", the connection of
+   * port 0 that the mesh belongs to, counted from 0. Of several cells at the same depth it is the
+   * one of the smallest input, then of the smallest id. Needs 20 bytes per pixel. Default: off.
    */
   vtkSetMacro(GenerateIds, vtkTypeBool);
   vtkGetMacro(GenerateIds, vtkTypeBool);
   vtkBooleanMacro(GenerateIds, vtkTypeBool);
   ///@}
+
+  ///@{
+  /**
+   * Add a point array of that name to the picture: the values of a point or cell array of the
+   * surfaces seen (association: vtkDataObject::FIELD_ASSOCIATION_POINTS or
+   * FIELD_ASSOCIATION_CELLS). Point arrays are interpolated with the barycentric coordinates of
+   * the hit, of the triangle that the cell was cut into; cell arrays are not. The array is double
+   * if the input's is, or has integers of 32 or 64 bits, and otherwise float. Inputs that have the
+   * array must agree in its number of components. Its values are NaN on inputs that do not have
+   * it; an array that no input has causes a warning. Names of the picture's own arrays (see the
+   * table above), and one name twice, are an error. Default: none.
+   */
+  void AddPassArray(int association, const char* name);
+  void RemoveAllPassArrays();
+  ///@}
+
+  /// The newest of this filter's own time and that of the background image.
+  vtkMTimeType GetMTime() override;
 
   /**
    * The version of the image contract. It changes only when the same scene can
@@ -183,7 +271,12 @@ protected:
   double Background[3];
   vtkTypeBool GradientBackground;
   double Background2[3];
+  vtkImageData* BackgroundImage;
+  vtkTypeBool OutputAlpha;
   int OutputScalarType;
+  vtkTypeBool GenerateDepth;
+  vtkTypeBool GenerateNormals;
+  vtkTypeBool GeneratePositions;
   vtkTypeBool GenerateIds;
 
 private:
@@ -193,6 +286,7 @@ private:
   /// What is wrong with Supersampling, and the remedy; empty if nothing.
   std::string DescribeSamplingDefect() const;
   void AddOwnSettings(lambent::adapters::SceneSettings& scene);
+  lambent::adapters::OutputSettings DescribeOutput() const;
   void WarnOfIdleSettings(const lambent::adapters::SceneSettings& scene);
   /// Throws Aborted, or a std::exception with a message for the user.
   void MakePicture(vtkInformationVector** inputs, vtkInformation* outInfo, vtkImageData* output);

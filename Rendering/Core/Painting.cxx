@@ -7,41 +7,15 @@
 
 namespace lambent
 {
-namespace
-{
-void begin(RunRange& range, const SceneMesh::Part& part)
-{
-  range.part = &part;
-  range.appearance = part.appearance;
-  range.isUnlit = part.appearance->shading == Shading::Unlit;
-  range.isSmooth = part.isSmooth();
-  range.hasGivenNormals = range.isSmooth || part.hasCellNormals();
-}
-
-/// Extends the range to another part. Returns false, and does nothing, if that is shaded in another
-/// way.
-bool join(RunRange& range, const SceneMesh::Part& part)
-{
-  RunRange other;
-  begin(other, part);
-  if (other.isUnlit != range.isUnlit || (!range.isUnlit && other.isSmooth != range.isSmooth))
-  {
-    return false;
-  }
-  range.part = nullptr;
-  range.appearance = other.appearance == range.appearance ? range.appearance : nullptr;
-  range.hasGivenNormals = range.hasGivenNormals || other.hasGivenNormals;
-  return true;
-}
-}
-
-Vec3 Painting::sampleColor(
+FilmColor Painting::sampleColor(
   const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const
 {
   const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-  return triangle == noTriangle
-    ? this->Target.background(samples.window().j0 + j)
-    : this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j]));
+  if (triangle == noTriangle)
+  {
+    return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
+  }
+  return { this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j])), 1.0 };
 }
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
@@ -69,9 +43,8 @@ void Painting::paint(
     this->paintAverages(samples, triangles, memory);
     return;
   }
-  const auto store =
-    [this](const SamplePiece& piece, const double* red, const double* green, const double* blue)
-  { this->Target.storeColors(piece.i, piece.j, piece.width, red, green, blue); };
+  const auto store = [this](const SamplePiece& piece, const double* const* channels)
+  { this->Target.storeColors(piece.i, piece.j, piece.width, channels); };
   for (int row = 0; row < samples.window().height(); ++row)
   {
     this->paintRow(
@@ -92,23 +65,35 @@ void Painting::paintAverages(
   const Window& window = samples.window();
   const Window pixels = this->pixelsOf(window);
   const int n = this->Target.target().samples;
+  const int channelCount = this->Target.target().channels();
   TileColors& colors = memory.colors;
-  colors.reset(window.width(), window.height());
+  colors.reset(window.width(), window.height(), channelCount);
   memory.isHit.assign(pixels.height(), 0);
-  const auto store =
-    [&](const SamplePiece& piece, const double* red, const double* green, const double* blue)
+  const auto store = [&](const SamplePiece& piece, const double* const* channels)
   {
     const int row = piece.j - window.j0;
-    colors.store(piece.i - window.i0, row, piece.width, red, green, blue);
+    for (int channel = 0; channel < channelCount; ++channel)
+    {
+      std::copy_n(channels[channel], piece.width, colors.at(channel, piece.i - window.i0, row));
+    }
     memory.isHit[row / n] = 1;
+  };
+  const auto background = [&](int i, int j, int width)
+  {
+    double* channels[4];
+    for (int channel = 0; channel < channelCount; ++channel)
+    {
+      channels[channel] = colors.at(channel, i - window.i0, j - window.j0);
+    }
+    this->Target.background().fill(i, j, width, channels);
+    if (channelCount == 4)
+    {
+      std::fill_n(channels[3], width, 0.0);
+    }
   };
   for (int row = 0; row < window.height(); ++row)
   {
-    this->paintRow(
-      samples, triangles, row, memory.batch,
-      [&](int i, int j, int width)
-      { colors.fill(i - window.i0, j - window.j0, width, this->Target.background(j)); },
-      store);
+    this->paintRow(samples, triangles, row, memory.batch, background, store);
   }
   this->shade(memory.batch, store);
   for (int row = 0; row < pixels.height(); ++row)
@@ -143,21 +128,13 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangl
   }
 }
 
-/// Shades the batch, and calls store(piece, red, green, blue) for each piece.
+/// Shades the batch, and calls store(piece, channels) for each piece.
 template <typename StoreTo>
 void Painting::shade(SampleBatch& batch, const StoreTo& store) const
 {
-  constexpr int size = SampleBatch::pieceSize;
-  for (int piece = 0; piece < batch.pieceCount; ++piece)
-  {
-    const Vec3& color = this->Target.background(batch.pieces[piece].j);
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      std::fill_n(batch.colors[channel] + piece * size, size, color[channel]);
-    }
-  }
+  this->fillBackground(batch);
   RunRange range;
-  while (this->nextRange(batch, range))
+  while (range.moveOn(this->Points.mesh().mesh(), batch))
   {
     if (range.isUnlit)
     {
@@ -173,47 +150,32 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
-    store(batch.pieces[piece], batch.colors[0] + piece * size, batch.colors[1] + piece * size,
-      batch.colors[2] + piece * size);
+    const double* channels[4];
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      channels[channel] = batch.colors[channel] + piece * SampleBatch::pieceSize;
+    }
+    store(batch.pieces[piece], channels);
   }
   batch.clear();
 }
 
-/// Moves the range to the runs after it, up to the first that is shaded in another way. Runs that
-/// hit nothing are included. Returns false if none of the remaining runs hits anything.
-bool Painting::nextRange(SampleBatch& batch, RunRange& range) const
+/// Gives all samples the colour of the background, and those that hit something alpha 1.
+void Painting::fillBackground(SampleBatch& batch) const
 {
-  const SceneMesh::Part* part = nullptr;
-  int run = range.endRun;
-  for (range.firstRun = run; run < batch.runCount; ++run)
+  for (int k = 0; k < batch.pieceCount; ++k)
   {
-    const std::uint32_t triangle = batch.triangles[run];
-    if (triangle == noTriangle)
-    {
-      continue;
-    }
-    if (!part || !part->holds(triangle))
-    {
-      const SceneMesh::Part& next = this->Points.mesh().mesh().partOf(triangle);
-      if (!part)
-      {
-        begin(range, next);
-      }
-      else if (!join(range, next))
-      {
-        break;
-      }
-      part = &next;
-    }
-    batch.parts[run] = part;
+    const SamplePiece& piece = batch.pieces[k];
+    const int first = k * SampleBatch::pieceSize;
+    double* const channels[3] = { batch.colors[0] + first, batch.colors[1] + first,
+      batch.colors[2] + first };
+    this->Target.background().fill(piece.i, piece.j, piece.width, channels);
   }
-  range.endRun = run;
-  const std::int64_t* const runs = batch.run;
-  range.first = range.end;
-  range.end = static_cast<int>(std::lower_bound(runs + range.first,
-                                 runs + batch.pieceCount * SampleBatch::pieceSize, range.endRun) -
-    runs);
-  return part != nullptr;
+  const int places = batch.pieceCount * SampleBatch::pieceSize;
+  for (int place = 0; this->Target.target().hasAlpha && place < places; ++place)
+  {
+    batch.colors[3][place] = batch.triangles[batch.run[place]] == noTriangle ? 0.0 : 1.0;
+  }
 }
 
 void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch)

@@ -15,7 +15,7 @@
 
 #include "Film.h"
 #include "LightModel.h"
-#include "SampleBatch.h"
+#include "RunRange.h"
 #include "TileSamples.h"
 #include "TrianglePoints.h"
 
@@ -57,7 +57,8 @@ private:
     const int n = this->Target.target().samples;
     return { samples.i0 / n, samples.i1 / n, samples.j0 / n, samples.j1 / n };
   }
-  Vec3 sampleColor(const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const;
+  FilmColor sampleColor(
+    const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>
   void paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
     SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const;
@@ -65,7 +66,7 @@ private:
     const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
   template <typename StoreTo>
   void shade(SampleBatch& batch, const StoreTo& store) const;
-  bool nextRange(SampleBatch& batch, RunRange& range) const;
+  void fillBackground(SampleBatch& batch) const;
   static void shadeUnlit(const RunRange& range, SampleBatch& batch);
   static void loadReflection(const RunRange& range, SampleBatch& batch);
 

@@ -44,8 +44,9 @@ public:
     , Light(scene, this->Frame.eye)
     , Target(scene, image)
     , Painter(this->Points, this->Light, this->Target)
-    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, parallel.workers(),
-        settings.kernels)
+    , Passes(this->Points, this->Target.target())
+    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, this->Passes,
+        parallel.workers(), settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
@@ -198,6 +199,7 @@ private:
   const LightModel Light;
   const Film Target;
   const Painting Painter;
+  const PassPainting Passes;
   TileTasks Work;
   bool IsComplete = false;
 };

@@ -36,6 +36,7 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
       if (!memory)
       {
         memory.reset(new Memory); // allocated by the worker itself, without zeroing
+        memory->passes.reset(this->Passes.isNeeded() ? new PassMemory : nullptr);
       }
       const TilePlan::Range tasks = this->Plan.tasksOf(group);
       for (std::size_t task = tasks.begin; task < tasks.end; ++task)
@@ -51,6 +52,7 @@ void TileTasks::run(
   if (task.shares == 0 && this->Kept.empty())
   {
     this->Painter.paintBackground(this->Grid.window(task.tile));
+    this->Passes.paintNothing(this->Grid.window(task.tile));
     return;
   }
   TileHits<Nearest>* tile = &memory.tile;
@@ -115,13 +117,13 @@ void TileTasks::cast(
 
 void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
 {
-  if (this->Kernels)
+  const std::uint32_t* const triangles = tile.hits.triangles();
+  this->Kernels ? this->Painter.paint(tile.samples, triangles, memory.painting)
+                : this->Painter.paintPlainly(tile.samples, triangles);
+  if (this->Passes.isNeeded())
   {
-    this->Painter.paint(tile.samples, tile.hits.triangles(), memory.painting);
-  }
-  else
-  {
-    this->Painter.paintPlainly(tile.samples, tile.hits.triangles());
+    this->Kernels ? this->Passes.paint(tile.samples, triangles, *memory.passes)
+                  : this->Passes.paintPlainly(tile.samples, triangles);
   }
 }
 }

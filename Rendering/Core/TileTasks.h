@@ -13,6 +13,7 @@
 #include "Casting.h"
 #include "Painting.h"
 #include "Parallel.h"
+#include "PassPainting.h"
 #include "TilePlan.h"
 
 #include <memory>
@@ -26,12 +27,14 @@ class TileTasks
 public:
   /// kernels: whether to use them for casting and painting.
   TileTasks(const CameraFrame& frame, const Window& part, const TileGrid& grid,
-    const Casting<Nearest>& casting, const Painting& painting, int workers, bool kernels)
+    const Casting<Nearest>& casting, const Painting& painting, const PassPainting& passes,
+    int workers, bool kernels)
     : Frame(frame)
     , Part(part)
     , Grid(grid)
     , Caster(casting)
     , Painter(painting)
+    , Passes(passes)
     , Kernels(kernels)
     , Plan(grid, workers)
     , Scratch(workers)
@@ -63,6 +66,7 @@ private:
     TileHits<Nearest> tile;
     CastBatch triangles;
     PaintingMemory painting;
+    std::unique_ptr<PassMemory> passes; ///< if the image has some
   };
 
   void run(
@@ -75,6 +79,7 @@ private:
   const TileGrid& Grid;
   const Casting<Nearest>& Caster;
   const Painting& Painter;
+  const PassPainting& Passes;
   const bool Kernels;
   TilePlan Plan;
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one per worker

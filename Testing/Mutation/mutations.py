@@ -46,6 +46,8 @@ BYTES = "Rendering/Core/Film/ByteKernel.cxx"
 SAMPLES = "Rendering/Core/SurfacePoints/SampleBatch.h"
 LOADING = "Rendering/Core/SurfacePoints/LoadTriangles.cxx"
 FILM = "Rendering/Core/Film/Film.cxx"
+BACKGROUND = "Rendering/Core/Film/Background.cxx"
+RUN_RANGE = "Rendering/Core/SurfacePoints/RunRange.cxx"
 HITS = "Rendering/Core/Frame/VectorHits.h"
 
 MUTATIONS = [
@@ -177,18 +179,19 @@ MUTATIONS = [
     ("Rendering/Core/Film/AverageKernel.cxx", "hn::Div(sum, divisor)", "hn::Mul(sum, hn::Div(hn::Set(d, 1.0), divisor))",
      "sums of samples are divided"),
     (FILM, "(row * n + n / 2) * stride", "(row * n) * stride", "triangles are those of the middle sample"),
-    (PAINTING, "if (!part || !part->holds(triangle))", "if (!part)", "each run has its own surface"),
+    (RUN_RANGE, "if (!current || !current->holds(triangle))", "if (!current)",
+     "each run has its own surface"),
     (PAINTING, "if (!range.appearance)", "if (false)",
      "surfaces that are shaded together keep their colours"),
-    (PAINTING, "|| (!range.isUnlit && other.isSmooth != range.isSmooth)", "",
+    (RUN_RANGE, "|| (!this->isUnlit && other.isSmooth != this->isSmooth)", "",
      "flat and smooth surfaces are not shaded together"),
-    (PAINTING, "range.hasGivenNormals || other.hasGivenNormals", "range.hasGivenNormals",
+    (RUN_RANGE, "this->hasGivenNormals || other.hasGivenNormals", "this->hasGivenNormals",
      "one surface with cell normals among others"),
     ("Rendering/Core/Tiles/Binning.cxx", "+ boxed.begin - boxed.first)", "+ boxed.begin)",
      "triangles of several surfaces keep their numbers"),
     ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
      "points that are located together lie side by side"),
-    (FILM, "(j + 0.5)", "(j + 0.0)", "the gradient is that of the rows' centres"),
+    (BACKGROUND, "(j + 0.5)", "(j + 0.0)", "the gradient is that of the rows' centres"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
      "radians have a low part"),

@@ -33,27 +33,39 @@ void storeByte(V value, std::uint8_t* bytes)
   hn::StoreU(hn::DemoteTo(d8, rounded), d8, bytes);
 }
 
-void StoreBytes(
-  const double* red, const double* green, const double* blue, int count, unsigned char* pixels)
+template <int ChannelCount>
+void store(const double* const* channels, int count, unsigned char* pixels)
 {
   constexpr int size = 32;
-  const double* const colors[3] = { red, green, blue };
-  HWY_ALIGN std::uint8_t channels[3][size];
+  HWY_ALIGN std::uint8_t bytes[4][size];
   for (int i = 0; i < size; i += static_cast<int>(lanes))
   {
-    for (int channel = 0; channel < 3; ++channel)
+    for (int channel = 0; channel < ChannelCount; ++channel)
     {
-      storeByte(hn::LoadU(d, colors[channel] + i), channels[channel] + i);
+      storeByte(hn::LoadU(d, channels[channel] + i), bytes[channel] + i);
     }
   }
   const hn::CappedTag<std::uint8_t, 16> d8;
-  HWY_ALIGN std::uint8_t interleaved[3 * size];
+  HWY_ALIGN std::uint8_t interleaved[ChannelCount * size];
   for (int i = 0; i < size; i += static_cast<int>(hn::Lanes(d8)))
   {
-    hn::StoreInterleaved3(hn::LoadU(d8, channels[0] + i), hn::LoadU(d8, channels[1] + i),
-      hn::LoadU(d8, channels[2] + i), d8, interleaved + 3 * i);
+    const auto red = hn::LoadU(d8, bytes[0] + i), green = hn::LoadU(d8, bytes[1] + i),
+               blue = hn::LoadU(d8, bytes[2] + i);
+    if constexpr (ChannelCount == 4)
+    {
+      hn::StoreInterleaved4(red, green, blue, hn::LoadU(d8, bytes[3] + i), d8, interleaved + 4 * i);
+    }
+    else
+    {
+      hn::StoreInterleaved3(red, green, blue, d8, interleaved + 3 * i);
+    }
   }
-  std::memcpy(pixels, interleaved, static_cast<std::size_t>(3 * count));
+  std::memcpy(pixels, interleaved, static_cast<std::size_t>(ChannelCount * count));
+}
+
+void StoreBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels)
+{
+  channelCount == 4 ? store<4>(channels, count, pixels) : store<3>(channels, count, pixels);
 }
 }
 }
@@ -65,10 +77,9 @@ namespace lambent
 {
 HWY_EXPORT(StoreBytes);
 
-void storeBytes(
-  const double* red, const double* green, const double* blue, int count, unsigned char* pixels)
+void storeBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels)
 {
-  HWY_DYNAMIC_DISPATCH(StoreBytes)(red, green, blue, count, pixels);
+  HWY_DYNAMIC_DISPATCH(StoreBytes)(channels, channelCount, count, pixels);
 }
 }
 #endif

@@ -9,10 +9,9 @@
 
 namespace lambent
 {
-/// Writes red, green and blue of `count` pixels, at most 32, as bytes. May read 32 values of each
-/// channel.
-void storeBytes(
-  const double* red, const double* green, const double* blue, int count, unsigned char* pixels);
+/// Writes three or four channels of `count` pixels, at most 32, as bytes. May read 32 values of
+/// each channel.
+void storeBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels);
 }
 
 #endif

@@ -13,54 +13,53 @@ namespace lambent
 {
 namespace
 {
+constexpr int mostPixels = 32; // that are stored at a time
+
+/// Writes a pixel `count` times.
 template <typename Channel>
-void repeat(const Channel (&color)[3], int count, Channel* out)
+void repeat(const Channel* pixel, int channels, int count, Channel* out)
 {
   // Compare bits: 0 equals -0, but has other bits.
-  if (std::memcmp(color, color + 1, 2 * sizeof(Channel)) == 0)
+  if (std::memcmp(pixel, pixel + 1, (channels - 1) * sizeof(Channel)) == 0)
   {
-    std::fill_n(out, 3 * count, color[0]);
+    std::fill_n(out, channels * count, pixel[0]);
     return;
   }
   for (int i = 0; i < count; ++i)
   {
-    std::copy_n(color, 3, out + 3 * i);
+    std::copy_n(pixel, channels, out + channels * i);
   }
 }
 }
 
 Film::Film(const Scene& scene, const Image& image)
   : Target(image)
+  , Behind(scene, image)
 {
-  const Window samples = image.samplePart();
-  const double height = static_cast<double>(image.height) * image.samples;
-  for (int j = samples.j0; j < samples.j1; ++j)
+  for (int j = 0; !this->Behind.hasImage() && j < image.part.height(); ++j)
   {
-    this->SampleBackgrounds.push_back(
-      scene.background + (scene.backgroundTop - scene.background) * ((j + 0.5) / height));
-  }
-  for (int j = 0; j < image.part.height(); ++j)
-  {
-    this->Backgrounds.push_back(this->backgroundOf(j));
+    const FilmColor color = this->averageBackground(0, j);
+    RowBackground row{};
+    for (int channel = 0; channel < image.channels(); ++channel)
+    {
+      const double value = channel < 3 ? color.color[channel] : color.alpha;
+      row.bytes[channel] = toByte(value);
+      row.floats[channel] = toFloat(value);
+    }
+    this->Rows.push_back(row);
   }
 }
 
-Film::Background Film::backgroundOf(int j) const
+/// The background of a pixel.
+FilmColor Film::averageBackground(int i, int j) const
 {
   const int n = this->Target.samples;
-  Background result;
-  result.color =
-    average(n, [&](int, int row) -> const Vec3& { return this->SampleBackgrounds[j * n + row]; });
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    result.bytes[channel] = toByte(result.color[channel]);
-    result.floats[channel] = toFloat(result.color[channel]);
-  }
-  return result;
+  return average(n, [&](int column, int row) { return this->missed(n * i + column, n * j + row); });
 }
 
 void Film::storeBackground(const Window& pixels) const
 {
+  const int channels = this->Target.channels();
   for (int j = pixels.j0; j < pixels.j1; ++j)
   {
     const std::size_t first = this->pixel(pixels.i0, j);
@@ -68,68 +67,103 @@ void Film::storeBackground(const Window& pixels) const
     {
       std::fill_n(this->Target.triangles + first, pixels.width(), noTriangle);
     }
-    const Background& background = this->Backgrounds[j];
+    if (this->Behind.hasImage())
+    {
+      continue;
+    }
+    const RowBackground& row = this->Rows[j];
     if (this->Target.bytes)
     {
-      repeat(background.bytes, pixels.width(), this->Target.bytes + 3 * first);
+      repeat(row.bytes, channels, pixels.width(), this->Target.bytes + channels * first);
     }
     else
     {
-      repeat(background.floats, pixels.width(), this->Target.floats + 3 * first);
+      repeat(row.floats, channels, pixels.width(), this->Target.floats + channels * first);
     }
   }
-}
-
-void Film::storeColor(int i, int j, const Vec3& color) const
-{
-  const std::size_t first = 3 * this->pixel(i, j);
-  for (int channel = 0; channel < 3; ++channel)
+  if (this->Behind.hasImage())
   {
-    if (this->Target.bytes)
+    this->storeBackgroundImage(pixels);
+  }
+}
+
+void Film::storeBackgroundImage(const Window& pixels) const
+{
+  for (int j = pixels.j0; j < pixels.j1; ++j)
+  {
+    for (int i = pixels.i0; i < pixels.i1; ++i)
     {
-      this->Target.bytes[first + channel] = toByte(color[channel]);
-    }
-    else
-    {
-      this->Target.floats[first + channel] = toFloat(color[channel]);
+      this->storeColor(i, j, this->averageBackground(i, j));
     }
   }
 }
 
-void Film::storeColors(
-  int i, int j, int count, const double* red, const double* green, const double* blue) const
+void Film::storeColor(int i, int j, const FilmColor& color) const
 {
-  const std::size_t first = 3 * this->pixel(i, j);
+  const int channels = this->Target.channels();
+  const FilmColor stored = this->Target.hasAlpha ? straight(color) : color;
+  const std::size_t first = channels * this->pixel(i, j);
+  for (int channel = 0; channel < channels; ++channel)
+  {
+    const double value = channel < 3 ? stored.color[channel] : stored.alpha;
+    if (this->Target.bytes)
+    {
+      this->Target.bytes[first + channel] = toByte(value);
+    }
+    else
+    {
+      this->Target.floats[first + channel] = toFloat(value);
+    }
+  }
+}
+
+void Film::storeColors(int i, int j, int count, const double* const* channels) const
+{
+  const int channelCount = this->Target.channels();
+  const double* values[4] = { channels[0], channels[1], channels[2], channels[3] };
+  double straightColors[3][mostPixels];
+  for (int channel = 0; this->Target.hasAlpha && channel < 3; ++channel)
+  {
+    for (int k = 0; k < mostPixels; ++k)
+    {
+      const double alpha = channels[3][k];
+      straightColors[channel][k] = alpha > 0.0 ? channels[channel][k] / alpha : 0.0;
+    }
+    values[channel] = straightColors[channel];
+  }
+  const std::size_t first = channelCount * this->pixel(i, j);
   if (this->Target.bytes)
   {
-    storeBytes(red, green, blue, count, this->Target.bytes + first);
+    storeBytes(values, channelCount, count, this->Target.bytes + first);
     return;
   }
   float* out = this->Target.floats + first;
   for (int k = 0; k < count; ++k)
   {
-    *out++ = toFloat(red[k]);
-    *out++ = toFloat(green[k]);
-    *out++ = toFloat(blue[k]);
+    for (int channel = 0; channel < channelCount; ++channel)
+    {
+      *out++ = toFloat(values[channel][k]);
+    }
   }
 }
 
 void Film::storeAverages(const Window& pixels, const TileColors& colors, int row) const
 {
-  constexpr int size = 32, room = size + 8;
-  double averages[3][room] = {};
+  constexpr int room = mostPixels + 8;
+  double averages[4][room] = {};
+  const double* const channels[4] = { averages[0], averages[1], averages[2], averages[3] };
   const int n = this->Target.samples;
   for (int j = pixels.j0; j < pixels.j1; ++j, row += n)
   {
-    for (int begin = 0; begin < pixels.width(); begin += size)
+    for (int begin = 0; begin < pixels.width(); begin += mostPixels)
     {
-      const int count = std::min(size, pixels.width() - begin);
-      for (int channel = 0; channel < 3; ++channel)
+      const int count = std::min(mostPixels, pixels.width() - begin);
+      for (int channel = 0; channel < this->Target.channels(); ++channel)
       {
         averageSamples(
           colors.row(channel, row) + begin * n, colors.stride(), n, count, averages[channel]);
       }
-      this->storeColors(pixels.i0 + begin, j, count, averages[0], averages[1], averages[2]);
+      this->storeColors(pixels.i0 + begin, j, count, channels);
     }
   }
 }

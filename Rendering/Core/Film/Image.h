@@ -9,26 +9,56 @@
 
 #include "Window.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace lambent
 {
+/// What is stored beside the colours.
+enum class PassContent
+{
+  Depth,    ///< the distance along the viewing direction
+  Normal,   ///< the unit normal, in the world, on the side that is lit
+  Position, ///< in the world
+  Attribute ///< an attribute of the surface
+};
+
+/// Data of the surface that each pixel shows: floats or doubles, so many components per pixel. NaN
+/// where nothing is hit, and where the surface does not have the attribute.
+struct Pass
+{
+  PassContent content = PassContent::Depth;
+  int components = 1;
+  bool isDouble = false;
+  void* data = nullptr;
+  std::size_t attribute = 0; ///< its index in Surface::attributes
+};
+
 /**
  * The destination of an image or a part of it: rows from the bottom, three channels per pixel, as
  * bytes or floats (the other one is nullptr). If `triangles` is set, it receives the number of the
  * triangle that each pixel shows, as counted by SceneMesh, or noTriangle.
  *
  * With n samples along each axis, a pixel is the average of n x n pixels of the image of size n
- * width x n height. Its triangle is that of sample (n / 2, n / 2), rounded down.
+ * width x n height. Its triangle and its passes are those of sample (n / 2, n / 2), rounded down.
+ *
+ * If the image has alpha, there is a fourth channel: the fraction of the samples that hit
+ * something. The colour is the average of these samples only, and 0 if there are none (straight
+ * alpha). There is no background.
  */
 struct Image
 {
   int width = 0, height = 0; ///< of the whole image
   Window part;               ///< the part that is rendered and stored
   int samples = 1;           ///< n, at least 1
+  bool hasAlpha = false;
   unsigned char* bytes = nullptr;
   float* floats = nullptr;
   std::uint32_t* triangles = nullptr;
+  std::vector<Pass> passes;
+
+  int channels() const { return this->hasAlpha ? 4 : 3; }
 
   /// The part, in samples.
   Window samplePart() const

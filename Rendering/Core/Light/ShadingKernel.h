@@ -11,7 +11,7 @@
 #define lambent_ShadingKernel_h
 
 #include "LightModel.h"
-#include "SampleBatch.h"
+#include "RunRange.h"
 #include "TrianglePoints.h"
 
 namespace lambent

@@ -45,6 +45,15 @@ struct Camera
   double windowCenter[2] = { 0.0, 0.0 };
 };
 
+/// An image behind the surfaces, stretched to the size of the whole picture.
+struct BackgroundImage
+{
+  /// Rows from the bottom; 1 to 4 components: grey, grey and alpha, RGB or RGBA. Bytes c mean
+  /// c / 255, other types are used as they are. Alpha is straight. Empty if there is no image.
+  AttributeSpan pixels;
+  int width = 0, height = 0;
+};
+
 struct Scene
 {
   std::vector<Surface> surfaces;
@@ -54,6 +63,7 @@ struct Scene
   bool twoSidedLighting = true;
   Vec3 background{ 0.0 };    ///< at the bottom edge
   Vec3 backgroundTop{ 0.0 }; ///< at the top edge
+  BackgroundImage backgroundImage;
 };
 }
 

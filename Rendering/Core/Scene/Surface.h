@@ -8,11 +8,13 @@
 #define lambent_Surface_h
 
 #include "Arithmetic.h"
+#include "AttributeSpan.h"
 #include "Spans.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace lambent
 {
@@ -70,6 +72,8 @@ struct Surface
   /// normals. If empty, a corner has the normal of its point.
   IndexSpan normalNumbers;
   TupleSpan cellNormals; ///< one per cell, or none
+  /// Data that passes of the image show. All surfaces have theirs in the same order.
+  std::vector<AttributeSpan> attributes;
 
   Appearance appearance;
 

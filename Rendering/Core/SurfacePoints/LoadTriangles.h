@@ -7,7 +7,7 @@
 #ifndef lambent_LoadTriangles_h
 #define lambent_LoadTriangles_h
 
-#include "SampleBatch.h"
+#include "RunRange.h"
 
 namespace lambent
 {

@@ -49,8 +49,8 @@ struct SampleBatch
   double normals[9][room] = {}; ///< at a, b, c, or one of the face
   double reflection[6][room];   ///< diffuse, ambient; unused if a range has one appearance
 
-  /// Red, green and blue of each sample.
-  double colors[3][places];
+  /// Red, green and blue of each sample, and its alpha if the image has one.
+  double colors[4][places] = {};
 
   bool isFull() const { return this->pieceCount == mostPieces; }
 
@@ -84,18 +84,6 @@ struct SampleBatch
   }
 
   void clear() { this->pieceCount = this->runCount = 0; }
-};
-
-/// Consecutive runs that are shaded together, and the places of their samples.
-struct RunRange
-{
-  int firstRun = 0, endRun = 0;
-  int first = 0, end = 0;
-  bool isUnlit = false;
-  bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
-  bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
-  const SceneMesh::Part* part = nullptr;  ///< if all runs have the same
-  const Appearance* appearance = nullptr; ///< if all runs have the same
 };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a surface point: all that the light model knows of a hit
+ * @brief a surface point: all that the light model and the passes know of a hit
  *
  * Each kind of primitive fills it in a file of its own. Later steps do not depend on the kind.
  */
@@ -18,6 +18,7 @@ struct SurfacePoint
   Vec3 position; ///< relative to the eye, along the world's axes
   double depth;  ///< along the viewing direction
   Vec3 normal;   ///< of any length, pointing to the side that is lit
+  Vec3 weights;  ///< barycentric coordinates: of attributes at the primitive's points
   const Appearance* appearance;
 };
 }

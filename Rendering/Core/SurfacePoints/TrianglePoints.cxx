@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrianglePoints.h"
 
+#include <limits>
+
 namespace lambent
 {
 SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
@@ -10,7 +12,28 @@ SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
   Hit hit{};
   this->Mesh.triangle(number).isHit(x, y, hit);
   return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
-    this->normal(*part.surface, number - part.firstTriangle, hit), part.appearance };
+    this->normal(*part.surface, number - part.firstTriangle, hit),
+    { hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum }, part.appearance };
+}
+
+double TrianglePoints::attribute(
+  std::uint32_t number, const Vec3& weights, std::size_t attribute, int component) const
+{
+  const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
+  const Surface& surface = *part.surface;
+  const std::size_t triangle = number - part.firstTriangle;
+  if (attribute >= surface.attributes.size() || !surface.attributes[attribute])
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const AttributeSpan& values = surface.attributes[attribute];
+  if (values.isPerCell)
+  {
+    return values.at(static_cast<std::size_t>(surface.cellOf(triangle)), component);
+  }
+  const auto at = [&](std::size_t corner)
+  { return values.at(surface.corners[3 * triangle + corner], component); };
+  return (at(0) * weights.x + at(1) * weights.y) + at(2) * weights.z;
 }
 
 Vec3 TrianglePoints::normal(const Surface& surface, std::size_t triangle, const Hit& hit) const

@@ -36,6 +36,11 @@ public:
   /// The surface point where the ray through (x, y) hits a triangle.
   SurfacePoint at(std::uint32_t triangle, double x, double y) const;
 
+  /// A component of an attribute at a surface point with these weights: the value of the cell, or
+  /// that of the points, interpolated. NaN if the surface has no such attribute.
+  double attribute(
+    std::uint32_t triangle, const Vec3& weights, std::size_t attribute, int component) const;
+
   /// The face normal: the cell normal if the surface has cell normals, else that of the geometry.
   static Vec3 faceNormal(const Surface& surface, std::size_t triangle);
 

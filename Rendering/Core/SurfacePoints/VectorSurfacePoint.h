@@ -29,6 +29,7 @@ struct VectorSurfacePoint
   Vector3 position;
   V depth;
   Vector3 normal;
+  Vector3 weights;
 };
 
 /// Looks up values of the runs of some samples, in arrays with one value per run. Runs are numbered

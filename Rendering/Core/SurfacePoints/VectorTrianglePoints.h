@@ -13,6 +13,7 @@
 #define lambent_VectorTrianglePoints_h
 #endif
 
+#include "RunRange.h"
 #include "TrianglePoints.h"
 #include "VectorHits.h"
 #include "VectorSurfacePoint.h"
@@ -97,7 +98,8 @@ public:
     const Vector3 across = set(this->Frame.right) * x + set(this->Frame.up) * y;
     const Vector3 forward = set(this->Frame.forward);
     return { this->Frame.parallel ? across + forward * hit.depth : (across + forward) * hit.depth,
-      hit.depth, this->normal(runs, hit) };
+      hit.depth, this->normal(runs, hit),
+      { hn::Div(hit.e0, hit.sum), hn::Div(hit.e1, hit.sum), hn::Div(hit.e2, hit.sum) } };
   }
 
 private:

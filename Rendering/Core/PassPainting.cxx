@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PassPainting.h"
+
+#include "LoadTriangles.h"
+#include "PassStore.h"
+
+#include <algorithm>
+
+namespace lambent
+{
+void PassPainting::storeNothing(int i, int j, int count) const
+{
+  for (const Pass& pass : this->Target.passes)
+  {
+    lambent::storeNothing(pass, this->pixel(i, j), count);
+  }
+}
+
+void PassPainting::paintNothing(const Window& samples) const
+{
+  const int n = this->Target.samples;
+  for (int j = samples.j0 / n; j < samples.j1 / n; ++j)
+  {
+    this->storeNothing(samples.i0 / n, j, samples.width() / n);
+  }
+}
+
+/// Component k of a pass at a surface point.
+double PassPainting::value(
+  const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const
+{
+  switch (pass.content)
+  {
+    case PassContent::Depth:
+      return point.depth;
+    case PassContent::Normal:
+      return normalized(point.normal)[k];
+    case PassContent::Position:
+      return (this->Points.mesh().frame().eye + point.position)[k];
+    case PassContent::Attribute:
+      break;
+  }
+  return this->Points.attribute(triangle, point.weights, pass.attribute, k);
+}
+
+void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
+{
+  const Window& window = samples.window();
+  const int n = this->Target.samples;
+  for (int j = n / 2; j < window.height(); j += n)
+  {
+    for (int i = n / 2; i < window.width(); i += n)
+    {
+      const int column = (window.i0 + i) / n, row = (window.j0 + j) / n;
+      const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
+      if (triangle == noTriangle)
+      {
+        this->storeNothing(column, row, 1);
+        continue;
+      }
+      const SurfacePoint point = this->Points.at(triangle, samples.xs()[i], samples.ys()[j]);
+      for (const Pass& pass : this->Target.passes)
+      {
+        for (int k = 0; k < pass.components; ++k)
+        {
+          storeValue(pass, this->pixel(column, row), k, this->value(pass, point, triangle, k));
+        }
+      }
+    }
+  }
+}
+
+/// Splits the middle rows of samples into pieces of middle samples.
+void PassPainting::paint(
+  const TileSamples& samples, const std::uint32_t* triangles, PassMemory& memory) const
+{
+  constexpr int size = SampleBatch::pieceSize;
+  const Window& window = samples.window();
+  const int n = this->Target.samples;
+  SampleBatch& batch = memory.batch;
+  for (int j = n / 2; j < window.height(); j += n)
+  {
+    const std::uint32_t* const row = triangles + static_cast<std::size_t>(j) * samples.stride();
+    const int columns = window.width() / n;
+    for (int begin = 0; begin < columns; begin += size)
+    {
+      const int count = std::min(size, columns - begin);
+      double* const xs = memory.xs + batch.pieceCount * size;
+      for (int i = 0; i < count; ++i)
+      {
+        memory.hits[i] = row[(begin + i) * n + n / 2];
+        xs[i] = samples.xs()[(begin + i) * n + n / 2];
+      }
+      const SamplePiece piece{ window.i0 / n + begin, (window.j0 + j) / n, count, xs,
+        samples.ys()[j] };
+      if (!batch.add(piece, memory.hits))
+      {
+        this->storeNothing(piece.i, piece.j, count);
+      }
+      else if (batch.isFull())
+      {
+        this->flush(memory);
+      }
+    }
+  }
+  this->flush(memory);
+}
+
+void PassPainting::flush(PassMemory& memory) const
+{
+  SampleBatch& batch = memory.batch;
+  RunRange range;
+  while (range.moveOn(this->Points.mesh().mesh(), batch))
+  {
+    loadTriangles(range, batch);
+    computePoints(this->Points, range, batch, memory.points);
+  }
+  for (const Pass& pass : this->Target.passes)
+  {
+    for (int piece = 0; piece < batch.pieceCount; ++piece)
+    {
+      this->store(pass, memory, piece);
+    }
+  }
+  batch.clear();
+}
+
+/// Stores a piece of a pass.
+void PassPainting::store(const Pass& pass, const PassMemory& memory, int piece) const
+{
+  const PointBatch& points = memory.points;
+  const auto store = [&](const auto& valueOf) { this->store(pass, memory, piece, valueOf); };
+  switch (pass.content)
+  {
+    case PassContent::Depth:
+      store([&](int place, int) { return points.depth[place]; });
+      break;
+    case PassContent::Normal:
+      store([&](int place, int k) { return points.normal[k][place]; });
+      break;
+    case PassContent::Position:
+      store([&](int place, int k) { return points.position[k][place]; });
+      break;
+    case PassContent::Attribute:
+      store(
+        [&](int place, int k)
+        {
+          const Vec3 weights(
+            points.weights[0][place], points.weights[1][place], points.weights[2][place]);
+          return this->Points.attribute(
+            memory.batch.triangles[memory.batch.run[place]], weights, pass.attribute, k);
+        });
+  }
+}
+
+/// valueOf(place, component): the value at a sample that hits something.
+template <typename ValueOf>
+void PassPainting::store(
+  const Pass& pass, const PassMemory& memory, int number, const ValueOf& valueOf) const
+{
+  const SampleBatch& batch = memory.batch;
+  const SamplePiece& piece = batch.pieces[number];
+  atPixel(pass, this->pixel(piece.i, piece.j),
+    [&](auto* to)
+    {
+      using Value = std::remove_pointer_t<decltype(to)>;
+      const int first = number * SampleBatch::pieceSize;
+      for (int place = first; place < first + piece.width; ++place)
+      {
+        const bool isHit = batch.triangles[batch.run[place]] != noTriangle;
+        for (int k = 0; k < pass.components; ++k)
+        {
+          *to++ =
+            isHit ? canonical<Value>(valueOf(place, k)) : std::numeric_limits<Value>::quiet_NaN();
+        }
+      }
+    });
+}
+}

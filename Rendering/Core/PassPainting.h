@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief stores the passes of an image: depth, normals, positions, attributes
+ *
+ * A pass shows what the middle sample of each pixel sees, of whatever colour it is. So passes do
+ * not depend on the light, and the painting of colours does not depend on them.
+ *
+ * paintPlainly() handles one pixel at a time and is the definition. paint() computes the surface
+ * points of many pixels in a kernel, and gives the same bits.
+ */
+#ifndef lambent_PassPainting_h
+#define lambent_PassPainting_h
+
+#include "Image.h"
+#include "PointKernel.h"
+#include "TileSamples.h"
+#include "TrianglePoints.h"
+
+#include <vector>
+
+namespace lambent
+{
+/// A worker's memory for the current tile.
+struct PassMemory
+{
+  SampleBatch batch;
+  PointBatch points;
+  std::uint32_t hits[SampleBatch::pieceSize];
+  double xs[SampleBatch::places + TileSamples::widestVector]; ///< of the middle samples, by place
+};
+
+class PassPainting
+{
+public:
+  PassPainting(const TrianglePoints& points, const Image& image)
+    : Points(points)
+    , Target(image)
+  {
+  }
+
+  bool isNeeded() const { return !this->Target.passes.empty(); }
+
+  /// triangles: the triangle that each sample sees.
+  void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
+  void paint(const TileSamples& samples, const std::uint32_t* triangles, PassMemory& memory) const;
+  void paintNothing(const Window& samples) const;
+
+private:
+  std::size_t pixel(int i, int j) const
+  {
+    return static_cast<std::size_t>(j) * this->Target.part.width() + i;
+  }
+  void storeNothing(int i, int j, int count) const;
+  double value(const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const;
+  void flush(PassMemory& memory) const;
+  void store(const Pass& pass, const PassMemory& memory, int piece) const;
+  template <typename ValueOf>
+  void store(const Pass& pass, const PassMemory& memory, int piece, const ValueOf& valueOf) const;
+
+  const TrianglePoints& Points;
+  const Image& Target;
+};
+}
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// This file is compiled once for each instruction set, by including itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "PointKernel.cxx"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "VectorTrianglePoints.h"
+
+#include "PointKernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+inline void store(const Vector3& v, M isWanted, double (*rows)[SampleBatch::places], int place)
+{
+  hn::BlendedStore(v.x, isWanted, d, rows[0] + place);
+  hn::BlendedStore(v.y, isWanted, d, rows[1] + place);
+  hn::BlendedStore(v.z, isWanted, d, rows[2] + place);
+}
+
+void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, SampleBatch& batch,
+  PointBatch& result)
+{
+  const VectorTrianglePoints points(trianglePoints, range, batch);
+  const Vector3 eye = set(trianglePoints.mesh().frame().eye);
+  constexpr auto step = static_cast<int>(lanes);
+  for (int place = range.first / step * step; place < range.end; place += step)
+  {
+    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
+    const int i = place % SampleBatch::pieceSize;
+    const Runs runs(batch.run + place);
+    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
+    if (i >= piece.width || hn::AllFalse(d, isWanted))
+    {
+      continue;
+    }
+    const VectorSurfacePoint point =
+      points.at(runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
+    const V length = hn::Sqrt(dot(point.normal, point.normal));
+    const Vector3 normal{ hn::Div(point.normal.x, length), hn::Div(point.normal.y, length),
+      hn::Div(point.normal.z, length) };
+    hn::BlendedStore(point.depth, isWanted, d, result.depth + place);
+    store(normal, isWanted, result.normal, place);
+    store(eye + point.position, isWanted, result.position, place);
+    store(point.weights, isWanted, result.weights, place);
+  }
+}
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent
+{
+HWY_EXPORT(ComputePoints);
+
+void computePoints(
+  const TrianglePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
+{
+  HWY_DYNAMIC_DISPATCH(ComputePoints)(points, range, batch, result);
+}
+}
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RunRange.h"
+
+namespace lambent
+{
+void RunRange::begin(const SceneMesh::Part& first)
+{
+  this->part = &first;
+  this->appearance = first.appearance;
+  this->isUnlit = first.appearance->shading == Shading::Unlit;
+  this->isSmooth = first.isSmooth();
+  this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
+}
+
+/// Extends the range to another part. Returns false, and does nothing, if that is shaded in another
+/// way.
+bool RunRange::join(const SceneMesh::Part& next)
+{
+  RunRange other;
+  other.begin(next);
+  if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth))
+  {
+    return false;
+  }
+  this->part = nullptr;
+  this->appearance = other.appearance == this->appearance ? this->appearance : nullptr;
+  this->hasGivenNormals = this->hasGivenNormals || other.hasGivenNormals;
+  return true;
+}
+
+bool RunRange::moveOn(const SceneMesh& mesh, SampleBatch& batch)
+{
+  const SceneMesh::Part* current = nullptr;
+  int run = this->endRun;
+  for (this->firstRun = run; run < batch.runCount; ++run)
+  {
+    const std::uint32_t triangle = batch.triangles[run];
+    if (triangle == noTriangle)
+    {
+      continue;
+    }
+    if (!current || !current->holds(triangle))
+    {
+      const SceneMesh::Part& next = mesh.partOf(triangle);
+      if (!current)
+      {
+        this->begin(next);
+      }
+      else if (!this->join(next))
+      {
+        break;
+      }
+      current = &next;
+    }
+    batch.parts[run] = current;
+  }
+  this->endRun = run;
+  const std::int64_t* const runs = batch.run;
+  this->first = this->end;
+  this->end = static_cast<int>(std::lower_bound(runs + this->first,
+                                 runs + batch.pieceCount * SampleBatch::pieceSize, this->endRun) -
+    runs);
+  return current != nullptr;
+}
+}
