@@ -163,13 +163,23 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
 /// Gives all samples the colour of the background, and those that hit something alpha 1.
 void Painting::fillBackground(SampleBatch& batch) const
 {
+  const Background& background = this->Target.background();
   for (int k = 0; k < batch.pieceCount; ++k)
   {
     const SamplePiece& piece = batch.pieces[k];
     const int first = k * SampleBatch::pieceSize;
     double* const channels[3] = { batch.colors[0] + first, batch.colors[1] + first,
       batch.colors[2] + first };
-    this->Target.background().fill(piece.i, piece.j, piece.width, channels);
+    if (background.hasImage())
+    {
+      background.fill(piece.i, piece.j, piece.width, channels);
+      continue;
+    }
+    const Vec3& color = background.gradient(piece.j);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      std::fill_n(channels[channel], SampleBatch::pieceSize, color[channel]); // of fixed size
+    }
   }
   const int places = batch.pieceCount * SampleBatch::pieceSize;
   for (int place = 0; this->Target.target().hasAlpha && place < places; ++place)

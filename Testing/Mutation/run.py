@@ -43,9 +43,15 @@ class Mutant:
         self.source = folder / "source"
         self.binaries = folder / "build"
         self.jobs = str(jobs)
-        for path in subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, text=True,
-                                   stdout=subprocess.PIPE).stdout.splitlines():
+        paths = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, text=True,
+                               stdout=subprocess.PIPE).stdout.splitlines()
+        for path in paths:
             self.write(path, (ROOT / path).read_bytes())
+        kept = set(paths)
+        # An earlier run may have left files that have been moved since.
+        for old in self.source.rglob("*"):
+            if old.is_file() and str(old.relative_to(self.source)) not in kept:
+                old.unlink()
         # Kernels for one instruction set: most of the time would go into building them.
         self.run("cmake", "-S", self.source, "-B", self.binaries, "-G", "Ninja",
                  "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -march=native",

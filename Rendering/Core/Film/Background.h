@@ -36,7 +36,9 @@ public:
 
   bool hasImage() const { return static_cast<bool>(this->Behind.pixels); }
 
-  /// The colour of a sample of the image's part.
+  /// The colour of a row of samples of the image's part, without the image.
+  const Vec3& gradient(int j) const { return this->Gradient[j]; }
+  /// The colour of a sample.
   Vec3 at(int i, int j) const;
   /// Stores the colours of `count` samples of a row in three channels.
   void fill(int i, int j, int count, double* const* channels) const;
