@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputImage.h"
 
+#include "HugePages.h"
 #include "InputSurfaces.h"
 
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
@@ -87,6 +87,8 @@ vtkSmartPointer<vtkDataArray> makeArray(
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
+  useHugePages(array->GetVoidPointer(0),
+    static_cast<std::size_t>(tuples) * components * array->GetDataTypeSize());
   return array;
 }
 }
@@ -128,17 +130,13 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
   return image;
 }
 
-void addIds(
-  const std::vector<std::uint32_t>& triangles, const InputSurfaces& surfaces, vtkImageData* output)
+void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces, vtkImageData* output)
 {
-  const auto pixels = static_cast<vtkIdType>(triangles.size());
-  vtkNew<vtkIdTypeArray> cells, inputs;
-  cells->SetName("CellIds");
-  inputs->SetName("InputIds");
-  cells->SetNumberOfTuples(pixels);
-  inputs->SetNumberOfTuples(pixels);
-  vtkIdType* const cell = cells->GetPointer(0);
-  vtkIdType* const input = inputs->GetPointer(0);
+  const vtkIdType pixels = output->GetNumberOfPoints();
+  const auto cells = makeArray(VTK_ID_TYPE, "CellIds", 1, pixels);
+  const auto inputs = makeArray(VTK_ID_TYPE, "InputIds", 1, pixels);
+  auto* const cell = static_cast<vtkIdType*>(cells->GetVoidPointer(0));
+  auto* const input = static_cast<vtkIdType*>(inputs->GetVoidPointer(0));
   vtkSMPTools::For(0, pixels,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -38,8 +38,7 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
 
 /// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the triangle
 /// that each pixel shows.
-void addIds(
-  const std::vector<std::uint32_t>& triangles, const InputSurfaces& surfaces, vtkImageData* output);
+void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces, vtkImageData* output);
 }
 
 #endif

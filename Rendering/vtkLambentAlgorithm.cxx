@@ -3,6 +3,7 @@
 #include "vtkLambentAlgorithm.h"
 
 #include "Chunks.h"
+#include "HugePages.h"
 #include "IdleSettings.h"
 #include "ImageContract.h"
 #include "NewMessages.h"
@@ -257,11 +258,13 @@ void vtkLambentAlgorithm::MakePicture(
   this->SetProgressText("rendering");
   lambent::Image image =
     allocateImage(this->DescribeOutput(), description.surfaces(), outInfo, output);
-  std::vector<std::uint32_t> triangles;
+  std::unique_ptr<std::uint32_t[]> triangles;
   if (this->GenerateIds)
   {
-    triangles.resize(output->GetNumberOfPoints());
-    image.triangles = triangles.data();
+    const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
+    triangles.reset(new std::uint32_t[count]); // not zeroed
+    lambent::useHugePages(triangles.get(), count * sizeof(std::uint32_t));
+    image.triangles = triangles.get();
   }
   const lambent::Report report = lambent::render(description.scene(), image, parallel,
     [&](double fraction)
@@ -283,7 +286,7 @@ void vtkLambentAlgorithm::MakePicture(
   }
   if (this->GenerateIds)
   {
-    addIds(triangles, description.surfaces(), output);
+    addIds(triangles.get(), description.surfaces(), output);
   }
 }
 

@@ -33,29 +33,48 @@ void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* tri
     }
   }
   this->Target.storeTriangles(pixels, triangles, samples.stride());
+  this->Passes.paintPlainly(samples, triangles);
 }
 
 void Painting::paint(
   const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
 {
-  if (this->Target.target().samples > 1)
+  if (this->Passes.isNeeded() && !memory.passes)
+  {
+    memory.passes = std::make_unique<PassMemory>();
+  }
+  if (this->Target.target().samples == 1)
+  {
+    this->paintSamples(samples, triangles, memory);
+  }
+  else
   {
     this->paintAverages(samples, triangles, memory);
-    return;
+    if (this->Passes.isNeeded())
+    {
+      this->Passes.paint(samples, triangles, *memory.passes);
+    }
   }
+  this->Target.storeTriangles(this->pixelsOf(samples.window()), triangles, samples.stride());
+}
+
+/// Each sample is a pixel.
+void Painting::paintSamples(
+  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
+{
+  PointBatch* const points = memory.passes ? &memory.passes->points : nullptr;
   const auto store = [this](const SamplePiece& piece, const double* const* channels)
   { this->Target.storeColors(piece.i, piece.j, piece.width, channels); };
+  const auto background = [this](int i, int j, int width)
+  {
+    this->Target.storeBackground({ i, i + width, j, j + 1 });
+    this->Passes.storeNothing(i, j, width);
+  };
   for (int row = 0; row < samples.window().height(); ++row)
   {
-    this->paintRow(
-      samples, triangles, row, memory.batch,
-      [this](int i, int j, int width) {
-        this->Target.storeBackground({ i, i + width, j, j + 1 });
-      },
-      store);
+    this->paintRow(samples, triangles, row, memory.batch, background, store, points);
   }
-  this->shade(memory.batch, store);
-  this->Target.storeTriangles(samples.window(), triangles, samples.stride());
+  this->shade(memory.batch, store, points);
 }
 
 /// Computes the colours of the whole tile first, then the averages.
@@ -102,13 +121,13 @@ void Painting::paintAverages(
     memory.isHit[row] ? this->Target.storeAverages(inRow, colors, n * row)
                       : this->Target.storeBackground(inRow);
   }
-  this->Target.storeTriangles(pixels, triangles, samples.stride());
 }
 
 /// Calls background(i, j, width) for pieces that hit nothing. Other pieces go to the batch.
 template <typename BackgroundOf, typename StoreTo>
 void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
-  SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const
+  SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+  PointBatch* points) const
 {
   const Window& window = samples.window();
   const int j = window.j0 + row;
@@ -123,14 +142,15 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangl
     }
     else if (batch.isFull())
     {
-      this->shade(batch, store);
+      this->shade(batch, store, points);
     }
   }
 }
 
-/// Shades the batch, and calls store(piece, channels) for each piece.
+/// Shades the batch, and calls store(piece, channels) for each piece. Stores passes, too, if there
+/// is memory for surface points.
 template <typename StoreTo>
-void Painting::shade(SampleBatch& batch, const StoreTo& store) const
+void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* points) const
 {
   this->fillBackground(batch);
   RunRange range;
@@ -138,7 +158,7 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
   {
     if (range.isUnlit)
     {
-      shadeUnlit(range, batch);
+      this->shadeUnlit(range, batch, points);
       continue;
     }
     loadTriangles(range, batch);
@@ -146,7 +166,7 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
     {
       loadReflection(range, batch);
     }
-    shadeTriangles(this->Points, this->Light, range, batch);
+    shadeTriangles(this->Points, this->Light, range, batch, points);
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
@@ -156,6 +176,10 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store) const
       channels[channel] = batch.colors[channel] + piece * SampleBatch::pieceSize;
     }
     store(batch.pieces[piece], channels);
+  }
+  if (points)
+  {
+    this->Passes.store(batch, *points);
   }
   batch.clear();
 }
@@ -188,8 +212,13 @@ void Painting::fillBackground(SampleBatch& batch) const
   }
 }
 
-void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch)
+void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const
 {
+  if (points)
+  {
+    loadTriangles(range, batch);
+    computePoints(this->Points, range, batch, *points);
+  }
   for (int place = range.first; place < range.end; ++place)
   {
     const std::int64_t run = batch.run[place];

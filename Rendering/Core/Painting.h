@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief shades the samples of a tile and stores their colours on the film
+ * @brief shades the samples of a tile, and stores their colours and passes
  *
  * Windows and rows are counted in samples here.
  *
@@ -15,10 +15,12 @@
 
 #include "Film.h"
 #include "LightModel.h"
+#include "PassPainting.h"
 #include "RunRange.h"
 #include "TileSamples.h"
 #include "TrianglePoints.h"
 
+#include <memory>
 #include <vector>
 
 namespace lambent
@@ -29,16 +31,19 @@ struct PaintingMemory
   SampleBatch batch;
   // Used if pixels have several samples.
   TileColors colors;
-  std::vector<unsigned char> isHit; ///< per row of pixels
+  std::vector<unsigned char> isHit;   ///< per row of pixels
+  std::unique_ptr<PassMemory> passes; ///< if the image has passes
 };
 
 class Painting
 {
 public:
-  Painting(const TrianglePoints& points, const LightModel& light, const Film& film)
+  Painting(const TrianglePoints& points, const LightModel& light, const Film& film,
+    const PassPainting& passes)
     : Points(points)
     , Light(light)
     , Target(film)
+    , Passes(passes)
   {
   }
 
@@ -49,6 +54,7 @@ public:
   void paintBackground(const Window& samples) const
   {
     this->Target.storeBackground(this->pixelsOf(samples));
+    this->Passes.paintNothing(samples);
   }
 
 private:
@@ -61,18 +67,22 @@ private:
     const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>
   void paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
-    SampleBatch& batch, const BackgroundOf& background, const StoreTo& store) const;
+    SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+    PointBatch* points = nullptr) const;
+  void paintSamples(
+    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
   void paintAverages(
     const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
   template <typename StoreTo>
-  void shade(SampleBatch& batch, const StoreTo& store) const;
+  void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;
-  static void shadeUnlit(const RunRange& range, SampleBatch& batch);
+  void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
   static void loadReflection(const RunRange& range, SampleBatch& batch);
 
   const TrianglePoints& Points;
   const LightModel& Light;
   const Film& Target;
+  const PassPainting& Passes;
 };
 }
 

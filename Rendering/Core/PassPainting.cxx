@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassPainting.h"
 
+#include "FillKernel.h"
 #include "LoadTriangles.h"
 #include "PassStore.h"
 
@@ -20,10 +21,16 @@ void PassPainting::storeNothing(int i, int j, int count) const
 void PassPainting::paintNothing(const Window& samples) const
 {
   const int n = this->Target.samples;
-  for (int j = samples.j0 / n; j < samples.j1 / n; ++j)
+  const std::size_t width = samples.width() / n;
+  for (const Pass& pass : this->Target.passes)
   {
-    this->storeNothing(samples.i0 / n, j, samples.width() / n);
+    for (int j = samples.j0 / n; j < samples.j1 / n; ++j)
+    {
+      atPixel(pass, this->pixel(samples.i0 / n, j),
+        [&](auto* to) { fillWithNaN(to, width * pass.components); });
+    }
   }
+  finishFilling();
 }
 
 /// Component k of a pass at a surface point.
@@ -116,21 +123,26 @@ void PassPainting::flush(PassMemory& memory) const
     loadTriangles(range, batch);
     computePoints(this->Points, range, batch, memory.points);
   }
+  this->store(batch, memory.points);
+  batch.clear();
+}
+
+void PassPainting::store(const SampleBatch& batch, const PointBatch& points) const
+{
   for (const Pass& pass : this->Target.passes)
   {
     for (int piece = 0; piece < batch.pieceCount; ++piece)
     {
-      this->store(pass, memory, piece);
+      this->store(pass, batch, points, piece);
     }
   }
-  batch.clear();
 }
 
 /// Stores a piece of a pass.
-void PassPainting::store(const Pass& pass, const PassMemory& memory, int piece) const
+void PassPainting::store(
+  const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const
 {
-  const PointBatch& points = memory.points;
-  const auto store = [&](const auto& valueOf) { this->store(pass, memory, piece, valueOf); };
+  const auto store = [&](const auto& valueOf) { this->store(pass, batch, piece, valueOf); };
   switch (pass.content)
   {
     case PassContent::Depth:
@@ -149,7 +161,7 @@ void PassPainting::store(const Pass& pass, const PassMemory& memory, int piece) 
           const Vec3 weights(
             points.weights[0][place], points.weights[1][place], points.weights[2][place]);
           return this->Points.attribute(
-            memory.batch.triangles[memory.batch.run[place]], weights, pass.attribute, k);
+            batch.triangles[batch.run[place]], weights, pass.attribute, k);
         });
   }
 }
@@ -157,9 +169,8 @@ void PassPainting::store(const Pass& pass, const PassMemory& memory, int piece) 
 /// valueOf(place, component): the value at a sample that hits something.
 template <typename ValueOf>
 void PassPainting::store(
-  const Pass& pass, const PassMemory& memory, int number, const ValueOf& valueOf) const
+  const Pass& pass, const SampleBatch& batch, int number, const ValueOf& valueOf) const
 {
-  const SampleBatch& batch = memory.batch;
   const SamplePiece& piece = batch.pieces[number];
   atPixel(pass, this->pixel(piece.i, piece.j),
     [&](auto* to)

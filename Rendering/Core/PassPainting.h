@@ -4,11 +4,10 @@
  * @file
  * @brief stores the passes of an image: depth, normals, positions, attributes
  *
- * A pass shows what the middle sample of each pixel sees, of whatever colour it is. So passes do
- * not depend on the light, and the painting of colours does not depend on them.
- *
- * paintPlainly() handles one pixel at a time and is the definition. paint() computes the surface
- * points of many pixels in a kernel, and gives the same bits.
+ * A pass shows what the middle sample of each pixel sees. paintPlainly() handles one pixel at a
+ * time and is the definition. paint() computes the surface points of many pixels in a kernel, and
+ * gives the same bits. If a pixel has only one sample, its surface point is computed for shading
+ * anyway, and Painting passes it to store().
  */
 #ifndef lambent_PassPainting_h
 #define lambent_PassPainting_h
@@ -46,18 +45,20 @@ public:
   void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
   void paint(const TileSamples& samples, const std::uint32_t* triangles, PassMemory& memory) const;
   void paintNothing(const Window& samples) const;
+  /// Stores the pixels of a batch of middle samples.
+  void store(const SampleBatch& batch, const PointBatch& points) const;
+  void storeNothing(int i, int j, int count) const;
 
 private:
   std::size_t pixel(int i, int j) const
   {
     return static_cast<std::size_t>(j) * this->Target.part.width() + i;
   }
-  void storeNothing(int i, int j, int count) const;
   double value(const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const;
   void flush(PassMemory& memory) const;
-  void store(const Pass& pass, const PassMemory& memory, int piece) const;
+  void store(const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const;
   template <typename ValueOf>
-  void store(const Pass& pass, const PassMemory& memory, int piece, const ValueOf& valueOf) const;
+  void store(const Pass& pass, const SampleBatch& batch, int piece, const ValueOf& valueOf) const;
 
   const TrianglePoints& Points;
   const Image& Target;

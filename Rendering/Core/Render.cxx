@@ -43,10 +43,10 @@ public:
     , Points(this->InFrame, scene.twoSidedLighting)
     , Light(scene, this->Frame.eye)
     , Target(scene, image)
-    , Painter(this->Points, this->Light, this->Target)
     , Passes(this->Points, this->Target.target())
-    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, this->Passes,
-        parallel.workers(), settings.kernels)
+    , Painter(this->Points, this->Light, this->Target, this->Passes)
+    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, parallel.workers(),
+        settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
@@ -198,8 +198,8 @@ private:
   const TrianglePoints Points;
   const LightModel Light;
   const Film Target;
-  const Painting Painter;
   const PassPainting Passes;
+  const Painting Painter;
   TileTasks Work;
   bool IsComplete = false;
 };

@@ -36,25 +36,47 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
       if (!memory)
       {
         memory.reset(new Memory); // allocated by the worker itself, without zeroing
-        memory->passes.reset(this->Passes.isNeeded() ? new PassMemory : nullptr);
       }
       const TilePlan::Range tasks = this->Plan.tasksOf(group);
-      for (std::size_t task = tasks.begin; task < tasks.end; ++task)
+      Window background; // neighbouring tiles without a hit
+      for (std::size_t number = tasks.begin; number < tasks.end; ++number)
       {
-        this->run(this->Plan.task(task), bins, *memory, isLastRound);
+        const TileTask& task = this->Plan.task(number);
+        if (task.shares == 0 && this->Kept.empty())
+        {
+          this->extend(background, this->Grid.window(task.tile));
+          continue;
+        }
+        this->run(task, bins, *memory, isLastRound);
       }
+      this->paintBackground(background);
     });
+}
+
+/// Adds a tile to a window of background. If they are not neighbours in a row, the window is
+/// painted first and begins anew.
+void TileTasks::extend(Window& background, const Window& tile) const
+{
+  if (tile.i0 == background.i1 && tile.j0 == background.j0 && tile.j1 == background.j1)
+  {
+    background.i1 = tile.i1;
+    return;
+  }
+  this->paintBackground(background);
+  background = tile;
+}
+
+void TileTasks::paintBackground(const Window& samples) const
+{
+  if (!samples.empty())
+  {
+    this->Painter.paintBackground(samples);
+  }
 }
 
 void TileTasks::run(
   const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound)
 {
-  if (task.shares == 0 && this->Kept.empty())
-  {
-    this->Painter.paintBackground(this->Grid.window(task.tile));
-    this->Passes.paintNothing(this->Grid.window(task.tile));
-    return;
-  }
   TileHits<Nearest>* tile = &memory.tile;
   tile->reset(this->Frame, this->Part, this->Grid, this->Grid.window(task.tile));
   this->cast(task, bins, memory);
@@ -120,10 +142,5 @@ void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
   const std::uint32_t* const triangles = tile.hits.triangles();
   this->Kernels ? this->Painter.paint(tile.samples, triangles, memory.painting)
                 : this->Painter.paintPlainly(tile.samples, triangles);
-  if (this->Passes.isNeeded())
-  {
-    this->Kernels ? this->Passes.paint(tile.samples, triangles, *memory.passes)
-                  : this->Passes.paintPlainly(tile.samples, triangles);
-  }
 }
 }

@@ -13,7 +13,6 @@
 #include "Casting.h"
 #include "Painting.h"
 #include "Parallel.h"
-#include "PassPainting.h"
 #include "TilePlan.h"
 
 #include <memory>
@@ -27,14 +26,12 @@ class TileTasks
 public:
   /// kernels: whether to use them for casting and painting.
   TileTasks(const CameraFrame& frame, const Window& part, const TileGrid& grid,
-    const Casting<Nearest>& casting, const Painting& painting, const PassPainting& passes,
-    int workers, bool kernels)
+    const Casting<Nearest>& casting, const Painting& painting, int workers, bool kernels)
     : Frame(frame)
     , Part(part)
     , Grid(grid)
     , Caster(casting)
     , Painter(painting)
-    , Passes(passes)
     , Kernels(kernels)
     , Plan(grid, workers)
     , Scratch(workers)
@@ -66,11 +63,12 @@ private:
     TileHits<Nearest> tile;
     CastBatch triangles;
     PaintingMemory painting;
-    std::unique_ptr<PassMemory> passes; ///< if the image has some
   };
 
   void run(
     const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
+  void extend(Window& background, const Window& tile) const;
+  void paintBackground(const Window& samples) const;
   void cast(const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory) const;
   void paint(const TileHits<Nearest>& tile, Memory& memory) const;
 
@@ -79,7 +77,6 @@ private:
   const TileGrid& Grid;
   const Casting<Nearest>& Caster;
   const Painting& Painter;
-  const PassPainting& Passes;
   const bool Kernels;
   TilePlan Plan;
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one per worker

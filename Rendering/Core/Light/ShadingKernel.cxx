@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "VectorLights.h"
+#include "VectorPointBatch.h"
 #include "VectorTrianglePoints.h"
 
 #include "ShadingKernel.h"
@@ -19,10 +20,11 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Shades the samples of a range. reflectionOf(runs) returns the reflection of several samples.
-template <typename Reflecting>
+/// Shades the samples of a range. reflectionOf(runs) returns the reflection of several samples,
+/// keep(point, isWanted, place) receives their surface points.
+template <typename Reflecting, typename Keep>
 void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
-  const Reflecting& reflectionOf, SampleBatch& batch)
+  const Reflecting& reflectionOf, const Keep& keep, SampleBatch& batch)
 {
   constexpr auto step = static_cast<int>(lanes);
   for (int place = range.first / step * step; place < range.end; place += step)
@@ -37,6 +39,7 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
     }
     const VectorSurfacePoint point =
       points.at(runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
+    keep(point, isWanted, place);
     const Vector3 color = lit(light, reflectionOf(runs), point);
     hn::BlendedStore(color.x, isWanted, d, batch.colors[0] + place);
     hn::BlendedStore(color.y, isWanted, d, batch.colors[1] + place);
@@ -44,16 +47,16 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
   }
 }
 
-void ShadeTriangles(const TrianglePoints& trianglePoints, const LightModel& light,
-  const RunRange& range, SampleBatch& batch)
+template <typename Keep>
+void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
+  const Keep& keep, SampleBatch& batch)
 {
-  const VectorTrianglePoints points(trianglePoints, range, batch);
   if (range.appearance)
   {
     const Reflection reflection{ set(range.appearance->diffuseReflection()),
       set(range.appearance->ambientReflection()) };
     shade(
-      points, light, range, [&](const Runs&) { return reflection; }, batch);
+      points, light, range, [&](const Runs&) { return reflection; }, keep, batch);
   }
   else
   {
@@ -62,7 +65,27 @@ void ShadeTriangles(const TrianglePoints& trianglePoints, const LightModel& ligh
       [&](const Runs& runs) {
         return Reflection{ runs(batch.reflection), runs(batch.reflection + 3) };
       },
+      keep, batch);
+  }
+}
+
+void ShadeTriangles(const TrianglePoints& trianglePoints, const LightModel& light,
+  const RunRange& range, SampleBatch& batch, PointBatch* surfacePoints)
+{
+  const VectorTrianglePoints points(trianglePoints, range, batch);
+  if (surfacePoints)
+  {
+    const Vector3 eye = set(trianglePoints.mesh().frame().eye);
+    shade(
+      points, light, range,
+      [&](const VectorSurfacePoint& point, M isWanted, int place)
+      { store(point, eye, isWanted, *surfacePoints, place); },
       batch);
+  }
+  else
+  {
+    shade(
+      points, light, range, [](const VectorSurfacePoint&, M, int) {}, batch);
   }
 }
 }
@@ -75,10 +98,10 @@ namespace lambent
 {
 HWY_EXPORT(ShadeTriangles);
 
-void shadeTriangles(
-  const TrianglePoints& points, const LightModel& light, const RunRange& range, SampleBatch& batch)
+void shadeTriangles(const TrianglePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* surfacePoints)
 {
-  HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch);
+  HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch, surfacePoints);
 }
 }
 #endif

@@ -11,15 +11,17 @@
 #define lambent_ShadingKernel_h
 
 #include "LightModel.h"
+#include "PointBatch.h"
 #include "RunRange.h"
 #include "TrianglePoints.h"
 
 namespace lambent
 {
-/// Fills in the colours of the samples whose runs are wanted. The triangles of all runs of the
-/// range must be loaded, and their reflection, too, unless the range has one appearance.
-void shadeTriangles(
-  const TrianglePoints& points, const LightModel& light, const RunRange& range, SampleBatch& batch);
+/// Fills in the colours of the samples whose runs are wanted, and their surface points unless
+/// `surfacePoints` is nullptr. The triangles of all runs of the range must be loaded, and their
+/// reflection, too, unless the range has one appearance.
+void shadeTriangles(const TrianglePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* surfacePoints = nullptr);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "VectorPointBatch.h"
 #include "VectorTrianglePoints.h"
 
 #include "PointKernel.h"
@@ -18,13 +19,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-inline void store(const Vector3& v, M isWanted, double (*rows)[SampleBatch::places], int place)
-{
-  hn::BlendedStore(v.x, isWanted, d, rows[0] + place);
-  hn::BlendedStore(v.y, isWanted, d, rows[1] + place);
-  hn::BlendedStore(v.z, isWanted, d, rows[2] + place);
-}
-
 void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, SampleBatch& batch,
   PointBatch& result)
 {
@@ -43,13 +37,7 @@ void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, 
     }
     const VectorSurfacePoint point =
       points.at(runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
-    const V length = hn::Sqrt(dot(point.normal, point.normal));
-    const Vector3 normal{ hn::Div(point.normal.x, length), hn::Div(point.normal.y, length),
-      hn::Div(point.normal.z, length) };
-    hn::BlendedStore(point.depth, isWanted, d, result.depth + place);
-    store(normal, isWanted, result.normal, place);
-    store(eye + point.position, isWanted, result.position, place);
-    store(point.weights, isWanted, result.weights, place);
+    store(point, eye, isWanted, result, place);
   }
 }
 }
