@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK's threads for a filter that tells its progress and can be aborted
+ * @brief VTK's threads for a filter that reports its progress and can be aborted
  */
 #ifndef WatchedParallel_h
 #define WatchedParallel_h
 
 #include "Abort.h"
+#include "Pace.h"
 #include "SMPParallel.h"
 
 namespace lambent::adapters
@@ -25,14 +26,16 @@ public:
   {
   }
 
-  /// Small work has many checkpoints: not each becomes a ProgressEvent.
+  /// Small work has many checkpoints, which do not all become a ProgressEvent.
   void checkpoint(double done) const override
   {
     constexpr double step = 0.002;
-    if (!(done >= this->Told && done < this->Told + step))
+    const bool isSmallStep = done >= this->Reported && done < this->Reported + step;
+    if (!isSmallStep || this->SinceReport.isOver())
     {
-      this->Told = done;
+      this->Reported = done;
       this->Filter->UpdateProgress(done);
+      this->SinceReport = PartClock();
     }
     this->checkAbort();
   }
@@ -47,7 +50,8 @@ public:
 
 private:
   vtkAlgorithm* const Filter;
-  mutable double Told = -1.0;
+  mutable double Reported = -1.0;
+  mutable PartClock SinceReport;
 };
 }
 

@@ -66,10 +66,11 @@ public:
       this->Large.emplace(this->Whole, begin / all, end / all);
       return *this->Large;
     }
-    if (begin - this->AtCheckpoint > itemsPerPart)
+    if (begin - this->AtCheckpoint > mostItemsPerPart || this->SinceCheckpoint.isOver())
     {
       this->Whole.checkpoint(begin / all);
       this->AtCheckpoint = begin;
+      this->SinceCheckpoint = PartClock();
     }
     return this->Small;
   }
@@ -88,6 +89,7 @@ private:
   std::vector<std::size_t> Ends;
   std::size_t Next = 0;
   std::size_t AtCheckpoint = 0;
+  PartClock SinceCheckpoint;
 };
 }
 

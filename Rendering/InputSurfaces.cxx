@@ -96,9 +96,9 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
 void InputSurfaces::computeSmallNormals(
   const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel)
 {
-  constexpr std::size_t inputsPerChunk = 16, inputsPerPart = 64 * inputsPerChunk;
+  constexpr std::size_t inputsPerChunk = 16;
   std::vector<std::string> failures(inputs.size());
-  forEachChunk<inputsPerChunk, inputsPerPart>(parallel, inputs.size(),
+  forEachChunk<inputsPerChunk>(parallel, inputs.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t k = begin; k < end; ++k)

@@ -59,8 +59,8 @@ private:
   MergedFaces Merged; ///< of both, until normals are computed; empty where there are no strips
   Surface Result;
   TriangleList Triangles;
-  CornerNormals Normals;                   ///< where they are computed
-  std::vector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
+  CornerNormals Normals;                       ///< where they are computed
+  UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
 };
 }

@@ -4,11 +4,12 @@
  * @file
  * @brief loops over chunks of a range, with checkpoints between parts
  *
- * A part takes some ten milliseconds, so that progress and aborts are handled promptly.
+ * A part takes about ten milliseconds (Pace.h), so that progress and aborts are handled promptly.
  */
 #ifndef lambent_Chunks_h
 #define lambent_Chunks_h
 
+#include "Pace.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -16,9 +17,6 @@
 
 namespace lambent
 {
-/// The number of points or faces that are processed between two checkpoints.
-constexpr std::size_t itemsPerPart = 512 * 1024;
-
 inline std::size_t chunkCount(std::size_t count, std::size_t chunkSize)
 {
   return (count + chunkSize - 1) / chunkSize;
@@ -47,26 +45,29 @@ private:
   const double Begin, End;
 };
 
-/// Calls body(begin, end) for each part of [0, count), in order. Choose a smaller partSize if an
-/// item takes longer than usual.
-template <std::size_t partSize = itemsPerPart, typename Body>
+/// Calls body(begin, end) for each part of [0, count), in order. A part is a multiple of chunkSize.
+template <std::size_t chunkSize = 1, typename Body>
 void forEachPart(const Parallel& parallel, std::size_t count, Body&& body)
 {
-  for (std::size_t begin = 0; begin < count; begin += partSize)
+  Pace pace;
+  for (std::size_t begin = 0; begin < count;)
   {
-    const std::size_t end = std::min(count, begin + partSize);
+    const PartClock clock;
+    const std::size_t end =
+      std::min(count, begin + chunkCount(pace.items(), chunkSize) * chunkSize);
     body(begin, end);
+    pace.adjust(clock.elapsed());
     parallel.checkpoint(static_cast<double>(end) / static_cast<double>(count));
+    begin = end;
   }
 }
 
 /// Calls body(begin, end) for [0, chunkSize), [chunkSize, 2 chunkSize) and so on up to count, in
-/// any order. A part consists of whole chunks.
-template <std::size_t chunkSize, std::size_t partSize = itemsPerPart, typename Body>
+/// any order.
+template <std::size_t chunkSize, typename Body>
 void forEachChunk(const Parallel& parallel, std::size_t count, Body&& body)
 {
-  static_assert(partSize % chunkSize == 0);
-  forEachPart<partSize>(parallel, count,
+  forEachPart<chunkSize>(parallel, count,
     [&](std::size_t partBegin, std::size_t partEnd)
     {
       forEach(parallel, partBegin / chunkSize, chunkCount(partEnd, chunkSize),

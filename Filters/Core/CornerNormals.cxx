@@ -116,11 +116,12 @@ CornerNormals computeCornerNormals(
         return;
       }
       grow(result, room, first.back(), Share(parallel, 0.9, 0.93));
-      for (std::size_t i = 0; i < further.size(); ++i)
-      {
-        std::copy(further[i].normals.begin(), further[i].normals.end(),
-          result.normals.get() + 3 * first[i]);
-      }
+      forEach(parallel, 0, further.size(),
+        [&](int, std::size_t i)
+        {
+          std::copy(further[i].normals.begin(), further[i].normals.end(),
+            result.normals.get() + 3 * first[i]);
+        });
       result.numbers = numberCorners(faces, cells, further, first, Share(parallel, 0.93, 1.0));
       result.count = first.back();
     });

@@ -70,14 +70,14 @@ MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips, const P
     [&](auto cells)
     {
       const Share share(parallel, 0.5, 1.0);
-      std::size_t facesAtCheckpoint = result.cells.size();
+      PartClock clock;
       for (std::size_t i = 0; i < cellCount(strips); ++i)
       {
         appendStrip(result, cells.cell(i), cells.cellSize(i), polygonCount + i);
-        if (result.cells.size() - facesAtCheckpoint > itemsPerPart) // strips can be long
+        if (clock.isOver())
         {
           share.checkpoint(static_cast<double>(i + 1) / static_cast<double>(cellCount(strips)));
-          facesAtCheckpoint = result.cells.size();
+          clock = PartClock();
         }
       }
     });

@@ -12,18 +12,18 @@
 
 #include "CellView.h"
 #include "Parallel.h"
+#include "UnwrittenVector.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace lambent
 {
 struct MergedFaces
 {
-  std::vector<std::int64_t> offsets;
-  std::vector<std::int64_t> connectivity;
+  UnwrittenVector<std::int64_t> offsets;
+  UnwrittenVector<std::int64_t> connectivity;
   /// The cell id of each face: polygons count from 0, strips follow the last polygon.
-  std::vector<std::int64_t> cells;
+  UnwrittenVector<std::int64_t> cells;
 
   bool isEmpty() const { return this->offsets.empty(); }
 

@@ -39,19 +39,19 @@ class PointRanges
 {
 public:
   /**
-   * Several ranges per worker balance the load and keep its memory in the cache. But each
-   * block is walked once for each range that it touches. If blocks have points from all over the
-   * mesh, a single range per worker is best.
+   * Several ranges per worker balance the load. Small ranges keep a worker's memory in the cache
+   * and its steps short. But each block is walked once for each range that it touches. If blocks
+   * have points from all over the mesh, a single range per worker is best.
    */
   PointRanges(const std::vector<CellBlock>& blocks, std::size_t pointCount, int workers)
     : Points(pointCount)
-    , Count(4 * static_cast<std::size_t>(workers))
+    , Count(std::max(4 * static_cast<std::size_t>(workers), pointCount / pointsPerRange))
   {
     constexpr double mostVisitsPerBlock = 1.6;
-    while (this->Count > static_cast<std::size_t>(workers) &&
-      this->visitsPerBlock(blocks) > mostVisitsPerBlock)
+    const auto fewest = static_cast<std::size_t>(workers);
+    while (this->Count > fewest && this->visitsPerBlock(blocks) > mostVisitsPerBlock)
     {
-      this->Count /= 2;
+      this->Count = std::max(this->Count / 2, fewest);
     }
   }
 
@@ -63,6 +63,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t pointsPerRange = 64 * 1024;
+
   /// How many times a block is walked, on average.
   double visitsPerBlock(const std::vector<CellBlock>& blocks) const
   {
@@ -125,8 +127,9 @@ private:
 
   void goOn(Walk& walk)
   {
+    const PartClock clock;
     std::size_t items = 0;
-    while (items < itemsPerPart && (walk.hasRange || this->takeRange(walk)))
+    while (items < mostItemsPerPart && !clock.isOver() && (walk.hasRange || this->takeRange(walk)))
     {
       if (walk.step < walk.stepCount)
       {

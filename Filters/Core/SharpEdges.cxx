@@ -14,7 +14,6 @@ namespace lambent
 namespace
 {
 constexpr std::size_t PointsPerChunk = 2048;
-constexpr std::size_t PartSize = itemsPerPart / 4; // each point takes longer than usual
 
 /// Allocates a large array without initializing it. A vector would write it all twice, the first
 /// time without checkpoints.
@@ -49,7 +48,7 @@ CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
       const auto count = cells.offsets[cellCount(faces.cells)];
       result.cornerCount = static_cast<std::size_t>(count);
       result.corners = makeUnwritten<Corner>(result.cornerCount);
-      forEachPart<PartSize>(Share(parallel, 0.0, 0.3), static_cast<std::size_t>(count - first),
+      forEachPart(Share(parallel, 0.0, 0.3), static_cast<std::size_t>(count - first),
         [&](std::size_t begin, std::size_t end)
         {
           std::for_each(cells.corners + first + begin, cells.corners + first + end,
@@ -57,7 +56,7 @@ CornersOfPoints listCorners(const Faces& faces, const Parallel& parallel)
         });
       std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
       std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
-      forEachPart<PartSize>(Share(parallel, 0.3, 1.0), cellCount(faces.cells),
+      forEachPart(Share(parallel, 0.3, 1.0), cellCount(faces.cells),
         [&](std::size_t begin, std::size_t end)
         {
           for (std::size_t face = begin; face < end; ++face)
@@ -176,7 +175,7 @@ std::unique_ptr<int[]> groupCorners(const Faces& faces, const CornersOfPoints& p
   visit(faces.cells,
     [&](auto cells)
     {
-      forEachChunk<PointsPerChunk, PartSize>(Share(parallel, 0.2, 1.0), faces.points.size,
+      forEachChunk<PointsPerChunk>(Share(parallel, 0.2, 1.0), faces.points.size,
         [&](std::size_t begin, std::size_t end)
         {
           Grouping grouping(normals.get(), featureAngle);
@@ -214,7 +213,7 @@ SplitMesh splitSharpEdges(const Faces& faces, double featureAngle, const Paralle
 
   result.connectivity.resize(points.cornerCount);
   result.copiedPoints.resize(static_cast<std::size_t>(firstCopy.back()));
-  forEachChunk<PointsPerChunk, PartSize>(Share(parallel, 0.8, 1.0), pointCount,
+  forEachChunk<PointsPerChunk>(Share(parallel, 0.8, 1.0), pointCount,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t point = begin; point < end; ++point)

@@ -41,12 +41,12 @@ private:
 };
 }
 
-std::vector<std::int32_t> numbersOfTriangles(const CellSpan& faces, const CornerNormals& normals,
-  const IndexSpan& corners, const Parallel& parallel)
+UnwrittenVector<std::int32_t> numbersOfTriangles(const CellSpan& faces,
+  const CornerNormals& normals, const IndexSpan& corners, const Parallel& parallel)
 {
   constexpr std::size_t facesPerChunk = 4096;
   const std::size_t faceCount = cellCount(faces);
-  std::vector<std::int32_t> result(corners.size);
+  UnwrittenVector<std::int32_t> result(corners.size);
   visit(faces,
     [&](auto cells)
     {

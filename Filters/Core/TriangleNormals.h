@@ -8,8 +8,7 @@
 #define lambent_TriangleNormals_h
 
 #include "CornerNormals.h"
-
-#include <vector>
+#include "UnwrittenVector.h"
 
 namespace lambent
 {
@@ -19,8 +18,8 @@ namespace lambent
  * its face does not name a corner's point, the corner gets the number of the point. This
  * happens in a strip with a point that is not finite: all its triangles consist of that point.
  */
-std::vector<std::int32_t> numbersOfTriangles(const CellSpan& faces, const CornerNormals& normals,
-  const IndexSpan& corners, const Parallel& parallel);
+UnwrittenVector<std::int32_t> numbersOfTriangles(const CellSpan& faces,
+  const CornerNormals& normals, const IndexSpan& corners, const Parallel& parallel);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "Render.h"
 
 #include "GatheredPoints.h"
+#include "Pace.h"
 #include "TileTasks.h"
 
 namespace lambent
@@ -13,8 +14,8 @@ namespace
 constexpr double pointsShare = 0.1;
 constexpr double binningShare = 0.3;
 
-/// The number of points or triangles processed between two progress reports.
-constexpr std::size_t batchSize = 1024 * 1024;
+/// The largest number of points or triangles processed between two progress reports.
+constexpr std::size_t mostItems = 1024 * 1024;
 
 /// Tiles hold whole pixels.
 int tileSize(const Settings& settings, int samples)
@@ -39,6 +40,8 @@ public:
     , InFrame(this->Mesh, this->Frame)
     , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, this->Samples,
         settings.culling, settings.kernels)
+    , BinningPace(
+        std::max<std::size_t>(mostItems / (image.samples * image.samples), 4096), mostItems)
     , Caster(this->InFrame, this->Grid)
     , Points(this->InFrame, scene.twoSidedLighting)
     , Light(scene, this->Frame.eye)
@@ -68,7 +71,7 @@ public:
         report.outcome = Outcome::BadMesh;
         return report;
       }
-      goesOn = goesOn && this->processTiles(next == this->Mesh.triangleCount());
+      goesOn = goesOn && this->processTiles(next);
     }
     report.outcome = goesOn ? Outcome::Done : Outcome::Aborted;
     return report;
@@ -90,11 +93,15 @@ private:
   bool locatePoints()
   {
     const std::size_t count = this->Mesh.pointCount();
-    for (std::size_t begin = 0; begin < count; begin += batchSize)
+    Pace pace(mostItems, mostItems);
+    for (std::size_t begin = 0, end = 0; begin < count; begin = end)
     {
-      this->forChunks(begin, std::min(count, begin + batchSize),
-        [this](int, std::size_t from, std::size_t to) { this->locate(from, to); });
-      if (!this->goOn(pointsShare * begin / count))
+      const PartClock clock;
+      end = std::min(count, begin + pace.items());
+      this->forChunks(
+        begin, end, [this](int, std::size_t from, std::size_t to) { this->locate(from, to); });
+      pace.adjust(clock.elapsed());
+      if (!this->goOn(pointsShare * end / count))
       {
         return false;
       }
@@ -134,7 +141,8 @@ private:
     }
     while (next < count && pages < this->How.binPages)
     {
-      const std::size_t end = std::min(count, next + batchSize);
+      const PartClock clock;
+      const std::size_t end = std::min(count, next + this->BinningPace.items());
       this->forChunks(next, end,
         [this](int worker, std::size_t from, std::size_t to)
         { this->Binner.run(from, to, *this->Filled[worker]); });
@@ -146,6 +154,7 @@ private:
       {
         pages += memory->bins.pageCount();
       }
+      this->BinningPace.adjust(clock.elapsed());
       if (!this->goOn(pointsShare + binningShare * next / count))
       {
         return false;
@@ -154,15 +163,20 @@ private:
     return true;
   }
 
-  bool processTiles(bool isLastRound)
+  /// The triangles from next on are left for further rounds.
+  bool processTiles(std::size_t next)
   {
+    const std::size_t count = this->Mesh.triangleCount();
+    const bool isLastRound = next == count;
     this->Work.plan(this->FilledBins);
     const std::size_t batches = this->Work.batchCount();
     for (std::size_t batch = 0; batch < batches; ++batch)
     {
       this->Work.run(batch, this->FilledBins, this->Workers, isLastRound);
-      constexpr double before = pointsShare + binningShare;
-      if (isLastRound && !this->goOn(before + (1.0 - before) * (batch + 1) / batches))
+      const double before =
+        pointsShare + (isLastRound ? binningShare : binningShare * next / count);
+      const double share = isLastRound ? 1.0 - before : 0.0;
+      if (!this->goOn(before + share * (batch + 1) / batches))
       {
         return false;
       }
@@ -192,6 +206,7 @@ private:
   const TileGrid Grid;
   const FrameMesh InFrame;
   const Binning Binner;
+  Pace BinningPace;
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one per worker
   std::vector<const Bins*> FilledBins;
   const Casting<Nearest> Caster;
@@ -208,6 +223,23 @@ private:
 Report render(const Scene& scene, const Image& image, const Parallel& parallel,
   const Progress& progress, const Settings& settings)
 {
-  return Picture(scene, image, parallel, progress, settings).make();
+  const Window& part = image.part;
+  const std::size_t samplesPerRow =
+    static_cast<std::size_t>(part.width()) * image.samples * image.samples;
+  const int rows = image.samples == 1
+    ? part.height()
+    : static_cast<int>(std::clamp<std::size_t>(
+        settings.mostSamples / samplesPerRow, 1, static_cast<std::size_t>(part.height())));
+  Report report;
+  for (int j0 = part.j0, j1 = 0; j0 < part.j1 && report.outcome == Outcome::Done; j0 = j1)
+  {
+    j1 = std::min(part.j1, j0 + rows);
+    const auto ofAll = [&, j0](double done)
+    { return progress((j0 - part.j0 + done * (j1 - j0)) / part.height()); };
+    report =
+      Picture(scene, image.rows(j0, j1), parallel, progress ? Progress(ofAll) : nullptr, settings)
+        .make();
+  }
+  return report;
 }
 }

@@ -16,6 +16,9 @@
  * If the bins of step 3 fill the memory they are given, step 4 casts what they hold, the tiles keep
  * their hits, and step 3 continues.
  *
+ * A picture with several samples per pixel that has more samples than Settings::mostSamples is
+ * rendered in bands, one after the other.
+ *
  * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 32 bytes per
  * larger triangle, in about Settings::binPages pages at most.
  */
@@ -38,7 +41,10 @@ struct Settings
   int tileShift = 5;        ///< tiles are 2^tileShift samples wide, adjusted to whole pixels
   std::size_t chunk = 4096; ///< points or triangles that a worker takes at a time
   std::size_t binPages = 128 * 1024; ///< pages of 1 kB to fill before tiles are processed
-  bool culling = true;               ///< drop triangles between the rays
+  /// A picture with several samples per pixel is rendered in bands of rows that have at most so
+  /// many samples, but at least one row.
+  std::size_t mostSamples = 32 * 1024 * 1024;
+  bool culling = true; ///< drop triangles between the rays
   /// Use vectors to locate, cast and shade.
   bool kernels = areVectorsInUse();
 

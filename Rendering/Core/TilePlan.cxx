@@ -17,10 +17,11 @@ constexpr std::size_t maximumShares = 32;
 constexpr std::size_t mostTilesInGroup = 16;
 constexpr std::size_t mostWeightInGroup = 128;
 
-// The weight of a batch, in pages; an empty tile counts as a few. A batch takes some milliseconds,
-// so that progress and aborts are handled promptly.
+// The weight of a batch, in pages; painting a tile counts as some more. A batch takes some
+// milliseconds, so that progress and aborts are handled promptly.
 constexpr std::size_t mostWeightInBatch = 8 * 1024;
 constexpr std::size_t emptyTileWeight = 2;
+constexpr std::size_t paintedTileWeight = 16;
 }
 
 std::size_t TilePlan::countPages(const std::vector<const Bins*>& bins, int tile) const
@@ -58,7 +59,7 @@ void TilePlan::make(const std::vector<const Bins*>& bins)
       groupWeight = groupTiles = batchWeight = 0;
     }
     groupWeight += weight;
-    batchWeight += weight;
+    batchWeight += weight + (pages > 0 ? paintedTileWeight : 0);
     ++groupTiles;
     if (shares > 1)
     {

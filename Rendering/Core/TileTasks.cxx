@@ -23,10 +23,6 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
   if (!isLastRound && this->Kept.empty())
   {
     this->Kept.resize(this->Grid.tileCount());
-    for (int tile = 0; tile < this->Grid.tileCount(); ++tile)
-    {
-      this->Kept[tile].reset(this->Frame, this->Part, this->Grid, this->Grid.window(tile));
-    }
   }
   const TilePlan::Range groups = this->Plan.groupsOf(batch);
   forEach(parallel, groups.begin, groups.end,
@@ -42,15 +38,32 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
       for (std::size_t number = tasks.begin; number < tasks.end; ++number)
       {
         const TileTask& task = this->Plan.task(number);
-        if (task.shares == 0 && this->Kept.empty())
+        if (this->isHit(task))
+        {
+          this->run(task, bins, *memory, isLastRound);
+        }
+        else if (isLastRound)
         {
           this->extend(background, this->Grid.window(task.tile));
-          continue;
         }
-        this->run(task, bins, *memory, isLastRound);
       }
       this->paintBackground(background);
     });
+}
+
+/// Adds hits of this round to those of a tile.
+TileHits<Nearest>& TileTasks::keep(const TileHits<Nearest>& hits, int tile)
+{
+  std::unique_ptr<TileHits<Nearest>>& kept = this->Kept[tile];
+  if (kept)
+  {
+    this->Caster.merge(hits, *kept);
+  }
+  else
+  {
+    kept = std::make_unique<TileHits<Nearest>>(hits);
+  }
+  return *kept;
 }
 
 /// Adds a tile to a window of background. If they are not neighbours in a row, the window is
@@ -93,8 +106,7 @@ void TileTasks::run(
   }
   if (!this->Kept.empty())
   {
-    this->Caster.merge(*tile, this->Kept[task.tile]);
-    tile = &this->Kept[task.tile];
+    tile = &this->keep(*tile, task.tile);
   }
   if (isLastRound)
   {

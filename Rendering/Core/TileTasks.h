@@ -67,6 +67,11 @@ private:
 
   void run(
     const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound);
+  bool isHit(const TileTask& task) const
+  {
+    return task.shares > 0 || (!this->Kept.empty() && this->Kept[task.tile]);
+  }
+  TileHits<Nearest>& keep(const TileHits<Nearest>& hits, int tile);
   void extend(Window& background, const Window& tile) const;
   void paintBackground(const Window& samples) const;
   void cast(const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory) const;
@@ -80,7 +85,8 @@ private:
   const bool Kernels;
   TilePlan Plan;
   std::vector<std::unique_ptr<Memory>> Scratch; ///< one per worker
-  std::vector<TileHits<Nearest>> Kept;          ///< one per tile, if there is more than one round
+  /// One per tile that has been hit, if there is more than one round.
+  std::vector<std::unique_ptr<TileHits<Nearest>>> Kept;
   std::vector<std::unique_ptr<SplitTile>> Splits;
 };
 }

@@ -223,6 +223,12 @@ void addMesh(Random& random, RandomScene& scene, const Triangles& mesh, bool pre
                                         : lambent::Shading::Smooth;
   appearance.cullFront = random.chance(10);
   appearance.cullBack = random.chance(10);
+  const bool hasCellNormals = appearance.shading == lambent::Shading::Flat &&
+    scene.meshes.size() % 2 == 1 && surface.triangleCount() <= mesh.points.size();
+  if (hasCellNormals)
+  {
+    surface.cellNormals = { data->normals.data(), false, surface.triangleCount() };
+  }
   scene.scene.surfaces.push_back(surface);
   scene.meshes.push_back(std::move(data));
 }

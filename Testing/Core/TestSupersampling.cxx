@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A picture with n samples along each axis of a pixel is, by definition, the picture of n times
 // its size, averaged. Neither instruction sets nor threads, tiles or parts may change a bit.
+#include "AverageKernel.h"
 #include "InstructionSets.h"
 #include "LightModel.h"
+#include "RandomNumbers.h"
 #include "RandomScenes.h"
 #include "Render.h"
 #include "ThreadedParallel.h"
@@ -11,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 
 using namespace lambent;
@@ -174,4 +177,47 @@ TEST(Supersampling, GoesOnInSeveralRounds)
     EXPECT_TRUE(makePicture(random, 3, whole(random), settings) == makeByBruteForce(random, 3))
       << "seed " << seed;
   }
+}
+
+// Each band is a picture of its own.
+TEST(Supersampling, BandsEqualTheWhole)
+{
+  for (unsigned int seed = 400; seed < 440; ++seed)
+  {
+    const RandomScene random = makeSmallScene(seed);
+    const Window part{ random.width / 4, random.width, random.height / 3, random.height };
+    Settings settings;
+    settings.mostSamples = 1 + seed % 5 * 9 * part.width(); // up to four rows of pixels
+    EXPECT_TRUE(makePicture(random, 3, part, settings) == makePicture(random, 3, part, Settings()))
+      << "seed " << seed;
+    EXPECT_TRUE(makePicture(random, 1, part, settings) == makePicture(random, 1, part, Settings()))
+      << "seed " << seed;
+  }
+}
+
+// In doubles: floats rarely show the last bit.
+TEST(Supersampling, TheKernelAddsInOrderAndDivides)
+{
+  constexpr int pixels = 37, stride = 16 * pixels, beyond = 16 * 8;
+  RandomNumbers random(1);
+  std::vector<double> samples(16 * stride + beyond);
+  std::generate(samples.begin(), samples.end(), [&]() { return random.within(-1.0, 1.0); });
+  onAllTargets(
+    [&]()
+    {
+      for (int n = 1; n <= 16; ++n)
+      {
+        double averages[pixels + 8];
+        averageSamples(samples.data(), stride, n, pixels, averages);
+        for (int pixel = 0; pixel < pixels; ++pixel)
+        {
+          double sum = samples[pixel * n];
+          for (int k = 1; k < n * n; ++k)
+          {
+            sum += samples[k / n * stride + pixel * n + k % n];
+          }
+          ASSERT_EQ(averages[pixel], sum / (n * n)) << n << " samples, pixel " << pixel;
+        }
+      }
+    });
 }

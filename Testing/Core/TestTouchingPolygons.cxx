@@ -51,10 +51,11 @@ std::vector<std::int32_t> cut(const Outline& outline, const Plane& plane, bool i
   const std::vector<float> floats(doubles.begin(), doubles.end());
   const auto count = static_cast<std::size_t>(outline.idCount);
   const CellSpan polygon{ { offsets.data(), true, 2 }, { ids.data(), true, ids.size() } };
-  return triangulate(polygon,
+  const auto corners = triangulate(polygon,
     isDouble ? TupleSpan{ doubles.data(), true, count } : TupleSpan{ floats.data(), false, count },
     0, Parallel())
-    .corners;
+                         .corners;
+  return { corners.begin(), corners.end() };
 }
 
 /// Where the corners of the triangles lie in the plane, three a triangle.
@@ -284,7 +285,7 @@ TEST(TouchingPolygons, BentOnesThatCrossThemselvesKeepTheirTriangles)
   const std::vector<std::int64_t> ids{ 0, 1, 2, 3 }, offsets{ 0, 4 };
   const CellSpan polygon{ { offsets.data(), true, 2 }, { ids.data(), true, 4 } };
   EXPECT_EQ(triangulate(polygon, { points.data(), true, 4 }, 0, Parallel()).corners,
-    (std::vector<std::int32_t>{ 0, 1, 2, 0, 2, 3 }));
+    (UnwrittenVector<std::int32_t>{ 0, 1, 2, 0, 2, 3 }));
 }
 
 // Floats of four million lie half a unit apart; whole units are still told from each other.

@@ -61,7 +61,7 @@ double area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal)
   return 0.5 * dot(cross(b - a, c - a), normal);
 }
 
-std::vector<std::int32_t> corners(std::initializer_list<std::int32_t> ids)
+UnwrittenVector<std::int32_t> corners(std::initializer_list<std::int32_t> ids)
 {
   return ids;
 }
@@ -73,7 +73,7 @@ TEST(Triangulation, ConvexPolygonsAreFans)
   cells.add({ 2, 3, 4 });
   const TriangleList list = cells.cut(10);
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 0, 2, 3, 0, 3, 4, 2, 3, 4 }));
-  EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 10, 10, 10, 11 }));
+  EXPECT_EQ(list.cells, (UnwrittenVector<std::int64_t>{ 10, 10, 10, 11 }));
 }
 
 TEST(Triangulation, StripsAlternate)
@@ -81,7 +81,7 @@ TEST(Triangulation, StripsAlternate)
   Cells cells = makePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 2, 0 } });
   const TriangleList list = cells.cutStrips(CellSpan(), 3);
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 2, 1, 3, 2, 3, 4 }));
-  EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 3, 3, 3 }));
+  EXPECT_EQ(list.cells, (UnwrittenVector<std::int64_t>{ 3, 3, 3 }));
 }
 
 // Stars with teeth of random depth, in a tilted plane, from either side.
@@ -166,7 +166,7 @@ TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
   cells.add({ 2, 1, 0 });
   const TriangleList list = cells.cut();
   EXPECT_EQ(list.corners, corners({ 0, 1, 2, 2, 1, 0 }));
-  EXPECT_EQ(list.cells, (std::vector<std::int64_t>{ 0, 4 }));
+  EXPECT_EQ(list.cells, (UnwrittenVector<std::int64_t>{ 0, 4 }));
 }
 
 // They are told of where triangles are streamed; here they only keep their number.

@@ -132,7 +132,7 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
 TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
 {
   constexpr int resolution = 900;
-  constexpr std::size_t parts = 2u * resolution * resolution / lambent::itemsPerPart;
+  constexpr std::size_t parts = 2u * resolution * resolution / lambent::mostItemsPerPart;
   static_assert(parts > 2);
   const int passes[] = { 1, 2, 5, 5, 2 };
   for (std::size_t k = 0; k < std::size(Manners); ++k)

@@ -53,7 +53,7 @@ private:
   std::vector<double> PointNormals, CellNormals;
   lambent::TriangleList Triangles;
   lambent::CornerNormals Normals;
-  std::vector<std::int32_t> NormalNumbers;
+  lambent::UnwrittenVector<std::int32_t> NormalNumbers;
   lambent::Surface Result;
 };
 

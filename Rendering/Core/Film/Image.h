@@ -60,6 +60,25 @@ struct Image
 
   int channels() const { return this->hasAlpha ? 4 : 3; }
 
+  /// Some rows of the part, from j0 to j1 - 1.
+  Image rows(int j0, int j1) const
+  {
+    Image result = *this;
+    result.part.j0 = j0;
+    result.part.j1 = j1;
+    const std::size_t before =
+      static_cast<std::size_t>(j0 - this->part.j0) * this->part.width(); // pixels
+    result.bytes += this->bytes ? before * this->channels() : 0;
+    result.floats += this->floats ? before * this->channels() : 0;
+    result.triangles += this->triangles ? before : 0;
+    for (Pass& pass : result.passes)
+    {
+      const std::size_t size = pass.isDouble ? sizeof(double) : sizeof(float);
+      pass.data = static_cast<char*>(pass.data) + before * pass.components * size;
+    }
+    return result;
+  }
+
   /// The part, in samples.
   Window samplePart() const
   {

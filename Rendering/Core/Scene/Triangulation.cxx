@@ -147,8 +147,7 @@ private:
 template <typename Body>
 void forEachChunkOfCells(const Parallel& parallel, std::size_t count, Body&& body)
 {
-  constexpr std::size_t cellsPerPart = 64 * cellsPerChunk; // polygons may take long
-  forEachPart<cellsPerPart>(parallel, count,
+  forEachPart<cellsPerChunk>(parallel, count,
     [&](std::size_t begin, std::size_t end)
     { forEach(parallel, begin / cellsPerChunk, chunkCount(end, cellsPerChunk), body); });
 }

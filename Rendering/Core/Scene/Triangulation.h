@@ -26,15 +26,14 @@
 #include "MergedFaces.h"
 #include "Parallel.h"
 #include "Spans.h"
-
-#include <vector>
+#include "UnwrittenVector.h"
 
 namespace lambent
 {
 struct TriangleList
 {
-  std::vector<std::int32_t> corners; ///< three per triangle
-  std::vector<std::int64_t> cells;   ///< one per triangle
+  UnwrittenVector<std::int32_t> corners; ///< three per triangle
+  UnwrittenVector<std::int64_t> cells;   ///< one per triangle
 };
 
 /// Cuts polygons, numbered from firstCell on. Their offsets must be valid, and there may be at most
