@@ -16,8 +16,8 @@ IndexSpan toIndices(vtkDataArray* array)
     static_cast<std::size_t>(array->GetNumberOfValues()) };
 }
 
-// Two arrays of signed integers of the same width, one number after the other. VTK
-// 9.6 and later also know arrays that compute their values.
+// Whether both are contiguous arrays of signed integers of the same width. VTK 9.6 and later
+// also have arrays that compute their values.
 bool areStoredPlainly(vtkDataArray* offsets, vtkDataArray* connectivity)
 {
   return offsets->HasStandardMemoryLayout() && connectivity->HasStandardMemoryLayout() &&
