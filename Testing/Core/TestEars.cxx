@@ -25,7 +25,7 @@ bool isEar(const Polygon& polygon, std::size_t k)
   return isFree;
 }
 
-/// The definition: after each cut all corners but the last are tried from the first on.
+/// The definition: after each cut, try all corners but the last again, from the first on.
 std::vector<std::int32_t> cutPlainly(Polygon& polygon)
 {
   std::vector<std::int32_t> triangles;
@@ -61,8 +61,8 @@ void expectTheSame(const Polygon& polygon, Ears& ears)
 }
 }
 
-// Outlines that cross and touch themselves, with doubled corners and corners in a row on
-// a small grid, and anything in space: whatever is cut, in whatever order.
+// Outlines on a small grid that cross and touch themselves, with doubled corners and collinear
+// corners, and outlines of random points in space. The same ears must be cut in the same order.
 TEST(Ears, AreThoseOfTryingAllCornersAgain)
 {
   RandomNumbers random(77);
@@ -84,7 +84,7 @@ TEST(Ears, AreThoseOfTryingAllCornersAgain)
   }
 }
 
-// A crescent, whose inner side is in the way of nearly all corners of its outer one.
+// A crescent: its inner side blocks nearly all corners of its outer side.
 TEST(Ears, OfACrescentAreThoseOfTryingAllCornersAgain)
 {
   Ears ears;
