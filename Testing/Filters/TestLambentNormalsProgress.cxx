@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkLambentNormals tells while it works, and how it ends when it is aborted.
+// The progress that vtkLambentNormals reports, and the result of aborting it.
 
 #include "Chunks.h"
 #include "TestingNormals.h"
@@ -23,7 +23,7 @@
 
 namespace
 {
-/// What is told of the progress; aborts the filter at one of these moments.
+/// Records the reported progress, and aborts the filter at one of the reports.
 struct Watcher
 {
   std::vector<double> told;
@@ -128,7 +128,7 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
   }
 }
 
-// Each pass over the faces is told of in parts.
+// Each pass over the faces reports its progress in parts.
 TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
 {
   constexpr int resolution = 900;
@@ -151,7 +151,7 @@ TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
   }
 }
 
-// At each of some of the moments that are told. The last one is the executive's.
+// Aborts at some of the reports. The last report is the executive's.
 TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutputAndTheNextOneIsRight)
 {
   for (const Manner& manner : Manners)
@@ -175,7 +175,7 @@ TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutputAndTheNextOneIsRight)
       EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0) << k;
       watcher.abortAt = ~std::size_t(0);
       normals->SetAbortExecute(0);
-      normals->Update(); // with nothing changed since
+      normals->Update(); // although nothing has changed
       EXPECT_EQ(normalsOf(normals), expected) << k;
     }
     EXPECT_TRUE(messages.errors.empty());
