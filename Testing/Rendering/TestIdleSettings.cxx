@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A setting that has no effect is named, with what to do instead; once, and not by a scene
-// that keeps to the defaults.
+// A warning names a setting without effect, and what to do instead. It is given once, and never for
+// defaults.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -59,7 +59,7 @@ TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
     EXPECT_TRUE(messages.errors().empty());
     EXPECT_SAME_BITS(expected, picture);
 
-    for (int k = 0; k < 3; ++k) // not once a picture
+    for (int k = 0; k < 3; ++k) // not once per picture
     {
       studio.camera->Azimuth(1.0);
       studio.tracer->Update();
@@ -84,7 +84,7 @@ TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
   }
 }
 
-// Scenes of thousands of inputs that share a property are told once.
+// There may be thousands of inputs that share a property; there is one warning.
 TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
 {
   Studio studio;
@@ -107,11 +107,11 @@ TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
 
   messages.clear();
   studio.tracer->SetProperty(other);
-  studio.tracer->Update(); // the same one, and one message
+  studio.tracer->Update(); // the same property, so one message
   expectMessage(messages.warnings(), { "The property of all inputs: vtkProperty::SetOpacity()" });
 }
 
-// A common property that no input takes has nothing to be warned of.
+// A common property that no input uses causes no warning.
 TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
 {
   Studio studio;
@@ -144,8 +144,8 @@ TEST(IdleSettings, DefaultsAndWhatHasAnEffectAreNotNamed)
   studio.tracer->SetInputData(makeSquare());
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
-  studio.property->SetSpecularPower(30.0); // of no highlight
-  studio.property->SetLineWidth(3.0);      // of no line
+  studio.property->SetSpecularPower(30.0); // there are no highlights
+  studio.property->SetLineWidth(3.0);      // there are no lines
   studio.property->BackfaceCullingOn();
   vtkNew<vtkLight> fresh, head;
   head->SetLightTypeToHeadlight();
@@ -168,8 +168,8 @@ TEST(IdleSettings, ALightAtItsOwnFocalPointIsNamed)
     vtkNew<vtkLight> good, bad;
     bad->SetPosition(1.0, 2.0, 3.0);
     bad->SetFocalPoint(1.0, 2.0, 3.0);
-    bad->SetPositional(kind == 1); // with a cone, as lights have by default
-    good->SwitchOff();             // and counts all the same
+    bad->SetPositional(kind == 1); // with the default cone
+    good->SwitchOff();             // it keeps its number even if it is off
     studio.tracer->AddLight(good);
     studio.tracer->AddLight(bad);
     EXPECT_EQ(render(studio.tracer).at(16, 12), Vec(0.0));
@@ -177,7 +177,8 @@ TEST(IdleSettings, ALightAtItsOwnFocalPointIsNamed)
   }
 }
 
-// In all directions it shines whatever its focal point is; switched off it does not shine.
+// A light that shines in all directions needs no focal point, and a light that is off needs none
+// either.
 TEST(IdleSettings, ALightThatNeedsNoFocalPointIsNotNamed)
 {
   for (int kind = 0; kind < 3; ++kind)
