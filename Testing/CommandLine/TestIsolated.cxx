@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A reader in a child process: its mesh arrives whole, and whatever becomes of it is one line.
+// Reading in a child process: the mesh arrives complete, and each failure gives one line.
 
 #include "Isolated.h"
 #include "Messages.h"
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   normals->SetNumberOfTuples(6);
   normals->Fill(0.5);
   mesh->GetPointData()->SetNormals(normals);
-  vtkNew<vtkStringArray> words; // are not sent
+  vtkNew<vtkStringArray> words; // strings are not sent
   words->SetName("words");
   words->SetNumberOfValues(6);
   mesh->GetPointData()->AddArray(words);
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   return mesh;
 }
 
-/// What is thrown by a child process that reads so.
+/// The message of the failure that this read function causes in a child process.
 std::string FailureOf(
   const std::function<vtkSmartPointer<vtkPolyData>()>& read, ChildLimits limits = {})
 {
@@ -171,7 +171,7 @@ TEST(Isolated, CrashesAreOneLine)
   const std::string left = FailureOf(
     []
     {
-      _exit(0); // as some libraries do when they do not know what to do
+      _exit(0); // as some libraries do on an error
       return MakeMesh();
     });
   EXPECT_EQ(left.rfind("its reader crashed", 0), 0u) << left;

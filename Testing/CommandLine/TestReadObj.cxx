@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the lines of an OBJ file are read, in all their forms. TestObjNormals.cxx has what becomes
-// of normals, smoothing groups and texture coordinates.
+// Reading the lines of an OBJ file in all their forms. TestObjNormals.cxx tests normals, smoothing
+// groups and texture coordinates.
 
 #include "ReadFrom.h"
 #include "ReadObj.h"
@@ -20,7 +20,7 @@ Outcome Read(const std::string& text)
   return ReadFrom(ReadObj, text);
 }
 
-/// The text is the square of two triangles, and there is nothing to say about it.
+/// Expects that the text is the square of two triangles, without any message.
 void ExpectSquare(const std::string& text)
 {
   const Outcome outcome = Read(text);
@@ -69,7 +69,7 @@ TEST(ReadObj, ByteOrderMark)
 TEST(ReadObj, Comments)
 {
   ExpectSquare("# v 9 9 9\n" + Square + "f 1 2 3 # the first\nf 1 3 4#the second\n  # done\n");
-  // A path in a comment or a name may end with a backslash; the next line is one of its own.
+  // A path in a comment or a name may end with a backslash; the next line is separate.
   ExpectSquare("# C:\\models\\\n" + Square + "g C:\\\nf 1 2 3\nf 1 3 4\n");
 }
 

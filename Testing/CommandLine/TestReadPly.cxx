@@ -58,7 +58,7 @@ TEST(ReadPly, LineEndsOfOtherSystems)
   }
 }
 
-// Behind the line end of a header with LF or CR any byte is data, the other line end included.
+// After the line end of a header, LF or CR, any byte is data, even the other line end.
 TEST(ReadPly, LineEndsBeforeBinaryData)
 {
   for (const std::string end : { "\n", "\r\n", "\r" })
@@ -92,7 +92,7 @@ TEST(ReadPly, DoubleStaysDouble)
 
 TEST(ReadPly, EveryCutIsNoticed)
 {
-  const std::size_t lastValue = Text.rfind(' ') + 1; // cut behind it, the text is whole
+  const std::size_t lastValue = Text.rfind(' ') + 1; // a cut after this looks complete
   for (std::size_t size = 0; size <= lastValue; ++size)
   {
     EXPECT_THROW(ReadText(Text.substr(0, size)), Failure) << size;

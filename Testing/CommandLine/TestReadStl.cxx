@@ -75,12 +75,12 @@ std::string Binary(const std::string& header = "made by a test", std::uint32_t c
   AppendWord(bytes, count);
   for (const auto& cell : SquareCells)
   {
-    bytes.append(12, '\xff'); // a normal that is none
+    bytes.append(12, '\xff'); // a NaN as the normal
     for (const vtkIdType id : cell)
     {
       for (const double coordinate : SquarePoints[static_cast<std::size_t>(id)])
       {
-        // The first point of the second triangle has minus zeros.
+        // The first point of the second triangle has negative zeros.
         const bool isSecond = bytes.size() > 84 + 50;
         AppendFloat(bytes, static_cast<float>(coordinate == 0 && isSecond ? -0.0 : coordinate));
       }
@@ -96,7 +96,7 @@ TEST(ReadStl, Text)
 {
   ExpectSquare(Square);
   EXPECT_EQ(Read(Square).mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
-  ExpectSquare(Square.substr(0, Square.size() - 1)); // no last line end
+  ExpectSquare(Square.substr(0, Square.size() - 1)); // the last line does not end
   ExpectSquare(Replaced(Square, "\n", "\r\n"));
   ExpectSquare(Replaced(Square, "\n", "\r"));
   ExpectSquare("\xef\xbb\xbf\n \n" + Square);
@@ -212,7 +212,7 @@ TEST(ReadStl, BinaryWithAWrongCount)
 
 TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)
 {
-  // A strip of squares of which each point is named by several triangles.
+  // A strip of squares; several triangles name each of its points.
   constexpr int count = 5000;
   std::string text = "solid\n";
   const auto vertex = [](int x, int y)

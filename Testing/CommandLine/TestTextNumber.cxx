@@ -17,7 +17,7 @@ using namespace lambent::command;
 namespace
 {
 
-/// The bits as strtod() has them, and as many bytes taken.
+/// Expects the bits of strtod(), and the same number of bytes read.
 void ExpectAsStrtod(const std::string& text)
 {
   double value = 0;

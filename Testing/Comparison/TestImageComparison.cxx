@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the comparison says of pictures whose differences are known, and that it can fail on a
-// single bit.
+// The results of comparing pictures with known differences. A single bit must be enough to fail.
 
 #include "ComparedImages.h"
 
@@ -74,7 +73,7 @@ TEST(ImageComparison, EachSingleChannelCounts)
 
 TEST(ImageComparison, SeveralPixelsAreCountedAndFramed)
 {
-  // Two channels of (5, 1), one of (2, 2), of (3, 2) and of (4, 3): 3 and 4, 10, 2 and 1 apart.
+  // Two channels of (5, 1) differ by 3 and 4; one of (2, 2) by 10, of (3, 2) by 2, of (4, 3) by 1.
   const auto c = compare(
     grey(7, 5,
       { { 5, 1, 0, 103 }, { 5, 1, 2, 96 }, { 2, 2, 1, 90 }, { 3, 2, 1, 102 }, { 4, 3, 0, 101 } }),
@@ -176,7 +175,7 @@ TEST(ImageComparison, IntegersOfTheWholeRange)
   const double low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
   const auto c = compare(values<int>(1, 1, 1, { low }), values<int>(1, 1, 1, { high }));
   EXPECT_EQ(c->GetMaximumDifference(), 4294967295.0);
-  EXPECT_EQ(c->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), high); // all it can hold
+  EXPECT_EQ(c->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), high); // the type's maximum
 }
 
 TEST(ImageComparison, OutputIsTheAbsoluteDifference)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What cannot be compared has not passed, whatever was compared before.
+// An impossible comparison does not pass, whatever was compared before.
 
 #include "ComparedImages.h"
 
@@ -98,7 +98,7 @@ TEST(ImageComparisonBadInput, WrongToleranceLeavesTheOldOne)
   EXPECT_EQ(messages.errors().size(), 3u);
 }
 
-// The tracer's own pass fails, early or late, and the comparison is not asked.
+// The tracer fails in an early or a late pass, and the comparison is not executed.
 TEST(ImageComparisonBadInput, InputThatFailsLeavesNothingPassed)
 {
   for (const bool isLate : { false, true })

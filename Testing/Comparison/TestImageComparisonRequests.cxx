@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A result is never older than the last request, whoever made it and whatever came of it.
+// A result is never older than the last request, whoever made it and whether or not it succeeded.
 
 #include "ComparisonRequests.h"
 
@@ -66,7 +66,7 @@ TEST_F(ImageComparisonRequests, EachLeadsToAResult)
     request(this->Comparison);
     EXPECT_FALSE(this->Comparison->GetPassed());
     EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
-    request(this->Comparison); // once more, although nothing has changed
+    request(this->Comparison); // again, although nothing has changed
     EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
   }
 }
@@ -81,7 +81,7 @@ TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
     {
       for (const int failure : { INFORMATION, DATA })
       {
-        for (const int value : { 0, 7 }) // whether it had passed before
+        for (const int value : { 0, 7 }) // whether or not it passed before
         {
           SCOPED_TRACE(std::string(name) + ", pass " + std::to_string(failure) + ", " + where);
           this->Picture->SetValue(value);
@@ -101,7 +101,7 @@ TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
 {
   vtkNew<vtkTrivialProducer> mesh, blocks;
   mesh->SetOutput(vtkNew<vtkPolyData>());
-  vtkNew<vtkMultiBlockDataSet> twice; // block by block the last one alone would count
+  vtkNew<vtkMultiBlockDataSet> twice; // block by block, only the last one would count
   twice->SetBlock(0, grey(4, 3, { { 1, 1, 1, 9 } }));
   twice->SetBlock(1, grey(4, 3));
   blocks->SetOutput(twice);
@@ -121,7 +121,7 @@ TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
   }
 }
 
-// The other input of a filter downstream fails, and the comparison is not asked for data.
+// The other input of a downstream filter fails, so the comparison is not asked for data.
 TEST_F(ImageComparisonRequests, FailuresBesideItLeaveNothing)
 {
   vtkNew<Stage> other;
@@ -168,8 +168,8 @@ TEST_F(ImageComparisonRequests, SettingsCountAsWell)
   EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
 }
 
-// Files that vanish. Of the readers only vtkXMLImageDataReader and vtkLambentPNGReader fail; that
-// of JPEG sets an error code and passes on memory that nobody has written to.
+// The files of readers vanish. Only vtkXMLImageDataReader and vtkLambentPNGReader fail then. The
+// JPEG reader sets an error code and passes on uninitialized memory.
 template <typename Reader, typename Writer>
 void expectNothingOfAVanishedFile(const std::string& name, vtkLambentImageComparison* comparison)
 {
@@ -195,7 +195,7 @@ void expectNothingOfAVanishedFile(const std::string& name, vtkLambentImageCompar
     EXPECT_FALSE(comparison->GetPassed());
     EXPECT_TRUE(std::isnan(comparison->GetMaximumDifference())) << comparison->GetMessage();
     comparison->SetTolerance(comparison->GetTolerance() + 1);
-    comparison->Update(); // goes as far as to compare anew
+    comparison->Update(); // this compares again
     EXPECT_FALSE(comparison->GetPassed());
     EXPECT_TRUE(std::isnan(comparison->GetMaximumDifference())) << comparison->GetMessage();
   }

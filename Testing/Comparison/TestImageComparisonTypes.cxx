@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The comparison takes numbers of every type, and however they lie in memory.
+// The comparison accepts numbers of every type, in any memory layout.
 
 #include "ComparedImages.h"
 
@@ -16,7 +16,7 @@
 namespace
 {
 
-// In rows and columns of which both have their share.
+// Differences in several rows and columns.
 template <typename T>
 void expectNumbers()
 {
@@ -62,7 +62,7 @@ TEST(ImageComparisonTypes, TheLargestValueIsNamedWhereItMeansSomething)
   EXPECT_EQ(message(values<float>(1, 1, 1, { 5 }), values<float>(1, 1, 1)), differ + first);
 }
 
-// Of grey with an alpha channel the three colours show the larger of the two differences.
+// For grey with an alpha channel, the three colours show the larger of the two differences.
 TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
 {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
     highlighted(3, { 1, 0, 0, infinity, 0, 0 }), (std::vector<double>{ 55, 0, 0, 255, 0, 0 }));
 }
 
-// Arrays that keep each channel by itself.
+// Arrays that store each channel separately.
 TEST(ImageComparisonTypes, HowNumbersLieInMemoryDoesNotCount)
 {
   const auto apart = [](vtkImageData* image)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reader of baselines: what vtkPNGReader gives for sound files (Testing/Python/TestPNGReader.py
-// goes through all kinds), and an answer for all others.
+// The reader of baselines gives vtkPNGReader's result for valid files
+// (Testing/Python/TestPNGReader.py tests all kinds), and a message for all others.
 
 #include "ComparedImages.h"
 
@@ -51,7 +51,7 @@ protected:
     return std::string(bytes, static_cast<std::size_t>(writer->GetResult()->GetNumberOfValues()));
   }
 
-  /// What is wrong with a file of these bytes.
+  /// The reader's message about a file with these bytes.
   std::string Problem(const std::string& bytes)
   {
     std::ofstream(this->Path, std::ios::binary) << bytes;
@@ -153,14 +153,14 @@ TEST_F(PNGReader, ReadLooksAgainAndUpdateTakesWhatItRead)
   reader->Update();
   std::ofstream(this->Path, std::ios::binary) << Bytes(grey(3, 2));
   reader->Update();
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 35); // no pipeline looks at the file again
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 35); // Update() does not check the file
   ASSERT_TRUE(reader->Read());
   fs::remove(this->Path);
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 6);
 }
 
-// A header may claim what the file cannot hold; that much memory is not asked for.
+// A header may claim more pixels than the file can hold; that memory must not be allocated.
 TEST_F(PNGReader, PixelsThatCannotBeInTheFile)
 {
   std::string huge = Bytes(grey(7, 5));

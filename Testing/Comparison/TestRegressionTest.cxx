@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The adapter for tests that were written for vtkTesting.
+// The adapter for tests written for vtkTesting.
 
 #include "ComparedImages.h"
 #include "LambentRegressionTest.h"
@@ -55,7 +55,7 @@ protected:
 
   void Update() { setenv("LAMBENT_UPDATE_BASELINES", "1", 1); }
 
-  /// The test has failed, twice, with these words, and the baseline is as it was.
+  /// Expects that the test fails twice with this message, and that the baseline is unchanged.
   void ExpectBaselineIsKept(const std::string& folder, const std::string& baseline)
   {
     const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
@@ -149,7 +149,7 @@ TEST_F(RegressionTest, FolderOfTheBaselineIsLeftAlone)
   EXPECT_EQ(std::distance(fs::directory_iterator(valid), fs::directory_iterator()), 1);
 }
 
-// Without -T pictures go to the current folder.
+// Without -T, pictures go to the current folder.
 TEST_F(RegressionTest, CurrentFolderMayBeThatOfTheBaseline)
 {
   const fs::path before = fs::current_path();
@@ -167,7 +167,7 @@ TEST_F(RegressionTest, LinksToTheBaselineAreNotWrittenThrough)
   fs::create_hard_link(this->Baseline(), this->Folder / "square.png");
   this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
   fs::remove(this->Folder / "square.png");
-  // The baseline is the link, and what it leads to has the name of the picture.
+  // The baseline is a link, and its target has the name of the picture.
   fs::rename(this->Baseline(), this->Folder / "square.png");
   fs::create_symlink("../square.png", this->Baseline());
   this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
@@ -265,7 +265,7 @@ TEST_F(RegressionTest, NoPictureFails)
   EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(noOutput)), LambentFailed);
 }
 
-// Its last picture is that of the baseline, but it cannot be drawn again.
+// The last picture equals the baseline, but it cannot be rendered again.
 TEST_F(RegressionTest, AlgorithmThatFailsLeavesNothingToCompare)
 {
   vtkNew<vtkLambentPNGReader> source;
