@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""lambent.testing: arrays of all makes, images of Pillow (skipped without it), and settings that are
-no settings."""
+"""lambent.testing: arrays of all types and layouts, Pillow images (skipped without Pillow), and invalid
+settings."""
 
 import os
 import re
@@ -82,7 +82,7 @@ class Arrays(PictureTest):
 
 
 def memoryview_of(array):
-    """An object that gives its array when it is asked."""
+    """An object that returns its array on request."""
     class Giving:
         __array_interface__ = array.__array_interface__
         kept = array
@@ -173,7 +173,7 @@ class Baselines(PictureTest):
     def test_a_baseline_is_not_compared_with_itself(self):
         folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "baselines")
         self.assertFalse(os.path.exists(folder))
-        missing = os.path.join(folder, "none.png")  # nor made of itself
+        missing = os.path.join(folder, "none.png")  # nor created from itself
         link = os.path.join(self.folder, "link.png")
         os.symlink(missing, link)
         for path in (missing, os.path.relpath(missing), link, os.fsencode(link)):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Accepting pictures: only those of tests that pass. Needs pytest."""
+"""Accepting pictures: only those of passed tests. Needs pytest."""
 
 import os
 import unittest
@@ -11,7 +11,7 @@ require_pytest()
 
 
 class Accepting(PytestSuiteTest):
-    """The baseline is a box of length 1; then a box of length 2 is drawn."""
+    """The baseline is a box of length 1; then the test renders a box of length 2."""
 
     def setUp(self):
         super().setUp()
