@@ -135,7 +135,7 @@ class TestImageTests(PackageTest):
                                   ("x.png", "${CMAKE_CURRENT_BINARY_DIR}/./x.png"),
                                   (FOLDER + "/link/x.png", "../source/x.png")):
             self.fail_with(PROJECT + 'lambent_add_image_test(NAME Self PICTURE "%s" BASELINE "%s")\n'
-                           % (picture, baseline), "PICTURE and BASELINE are one file")
+                           % (picture, baseline), "PICTURE and BASELINE are the same file")
 
     def test_a_baseline_that_is_what_is_drawn_fails(self):
         """Detected when the test runs: a link created later, and the picture of INPUT."""

@@ -135,8 +135,8 @@ class TestPictures(CompareTest):
     def test_broken_files(self):
         whole = grey(7, 5)
         damaged = whole[:45] + bytes([whole[45] ^ 1]) + whole[46:]  # within the pixels
-        for content, words in ((whole[:-1], "cut short"), (whole[:50], "cut short"),
-                               (whole[:8], "cut short"), (damaged, "check sum"), (b"", "empty"),
+        for content, words in ((whole[:-1], "complete PNG"), (whole[:50], "complete PNG"),
+                               (whole[:8], "complete PNG"), (damaged, "check sum"), (b"", "empty"),
                                (b"not a picture", "not a PNG")):
             self.write("broken.png", content)
             for names in (("broken.png", "base.png"), ("base.png", "broken.png")):

@@ -158,7 +158,7 @@ class TestUpdating(ProtectingTest):
                           ("square.obj", "--compare", "base.png", "--size", "7x5"),
                           ("square.obj", "--compare", "base.png")):
             line = self.refuse(*arguments, kept=["base.png"])
-            self.assertIn("cannot read 'base.png': the file is cut short", line)
+            self.assertIn("cannot read 'base.png': it is not a complete PNG file", line)
 
 
 if __name__ == "__main__":

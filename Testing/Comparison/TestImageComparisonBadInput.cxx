@@ -50,8 +50,7 @@ TEST(ImageComparisonBadInput, VolumesAreNotPictures)
   const auto c = compare(volume, volume);
   EXPECT_FALSE(c->GetPassed());
   EXPECT_STREQ(c->GetMessage(),
-    "the images are 2 x 2 x 2, 1 component of float; only a single slice is a "
-    "picture");
+    "the images are 2 x 2 x 2, 1 component of float; a picture has a single slice");
 }
 
 TEST(ImageComparisonBadInput, NoScalars)

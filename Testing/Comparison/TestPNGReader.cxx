@@ -99,9 +99,9 @@ TEST_F(PNGReader, CutBehindEachByteOrWithOneChanged)
   {
     const std::string problem = this->Problem(whole.substr(0, size));
     EXPECT_EQ(problem,
-      size == 0    ? "it is empty; get a whole copy of it"
+      size == 0    ? "it is empty, so it is not a PNG file"
         : size < 8 ? "it is not a PNG file"
-                   : "the file is cut short")
+                   : "it is not a complete PNG file")
       << size;
     std::string changed = whole;
     changed[size] = static_cast<char>(changed[size] ^ 0x20);
@@ -114,7 +114,7 @@ TEST_F(PNGReader, FilesThatAreNone)
 {
   vtkNew<vtkLambentPNGReader> reader;
   EXPECT_FALSE(reader->Read());
-  EXPECT_STREQ(reader->GetMessage(), "there is no name of a file; call SetFileName()");
+  EXPECT_STREQ(reader->GetMessage(), "there is no file name; call SetFileName()");
   const std::pair<const char*, const char*> cases[] = { { "/no/such.png",
                                                           "there is no such file; check its name" },
     { LAMBENT_BUILD_DIR, "it is a folder; name a file in it" },

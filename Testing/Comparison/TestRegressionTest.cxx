@@ -219,8 +219,8 @@ TEST_F(RegressionTest, CutBaselineFailsAndCanBeReplaced)
   const auto size = fs::file_size(this->Baseline());
   fs::resize_file(this->Baseline(), size - 20);
   EXPECT_EQ(this->Run(grey(7, 5).Get()), LambentFailed);
-  EXPECT_EQ(this->Said.find(
-              "The baseline '" + this->Baseline() + "' cannot be read: the file is cut short\n"),
+  EXPECT_EQ(this->Said.find("The baseline '" + this->Baseline() +
+              "' cannot be read: it is not a complete PNG file\n"),
     0u)
     << this->Said;
   EXPECT_NE(this->Said.find("accept it"), std::string::npos) << this->Said;

@@ -66,7 +66,7 @@ class Verdicts(PytestSuiteTest):
         self.assertEqual(run.paths("baseline"), [baseline] * 2)  # in the failure and in the summary
         summary = run.text[run.text.index("= pictures that differ ="):]
         self.assertIn("test_box.py::test_box\n", summary)
-        self.assertIn("Those that are right: %s them.\n" % ACCEPT, summary)
+        self.assertIn("If these pictures are right, %s them.\n" % ACCEPT, summary)
         for role in ("picture", "difference"):
             path, = set(run.paths(role))
             self.assertIn("/lambent-failures/test_box.py.test_box/box.%s.png" % role, path)
@@ -124,7 +124,7 @@ class Verdicts(PytestSuiteTest):
             """)
         run = self.run_pytest("--lambent-update", status=1)
         self.assertIn("1 failed, 1 passed", run.text)
-        self.assertIn("has accepted another picture of this name; give each its own", run.text)
+        self.assertIn("has accepted another picture under this name; give each its own name", run.text)
 
     def test_failures_that_a_test_expects_are_not_shown(self):
         self.write_tests("""
