@@ -41,7 +41,7 @@ void ExpectOneLine(const std::string& failure, const Scratch& scratch)
 
 } // namespace
 
-TEST(BrokenFiles, CutBehindEachByte)
+TEST(BrokenFiles, CutAfterEachByte)
 {
   for (const File& file : MakeFiles())
   {
@@ -86,7 +86,7 @@ bool ReadsWithBitTurned(const File& file, const Scratch& scratch, std::size_t bi
 
 } // namespace
 
-TEST(BrokenFiles, WithABitTurned)
+TEST(BrokenFiles, WithAFlippedBit)
 {
   for (const File& file : MakeFiles())
   {
@@ -104,7 +104,7 @@ TEST(BrokenFiles, WithABitTurned)
 }
 
 // Compressed data starts with three 32-bit numbers, and one for the only block.
-TEST(BrokenFiles, WithABitOfTheSizesTurned)
+TEST(BrokenFiles, WithAFlippedBitInTheSizes)
 {
   const std::string start = "<AppendedData encoding=\"raw\">\n   _";
   int files = 0;

@@ -127,7 +127,7 @@ TEST(BrokenFormats, CutShort)
   }
 }
 
-TEST(BrokenFormats, WithABitTurned)
+TEST(BrokenFormats, WithAFlippedBit)
 {
   for (const File& file : MakeFormats())
   {

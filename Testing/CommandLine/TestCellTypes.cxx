@@ -216,7 +216,7 @@ TEST(CellTypes, HaveTheAreaOfTheirShape)
 }
 
 // Lines are not a surface, and the other cells of the file are still drawn.
-TEST(CellTypes, LinesBesideATriangle)
+TEST(CellTypes, LinesAndATriangle)
 {
   for (const Case& one : Cases)
   {
@@ -328,7 +328,7 @@ TEST(CellTypes, NeighboursShareTheirNodes)
 }
 
 // Polyhedra in the same grid keep their faces.
-TEST(CellTypes, PolyhedraBesideThem)
+TEST(CellTypes, PolyhedraInTheSameGrid)
 {
   const auto grid = OneCell(VTK_LAGRANGE_TRIANGLE, Nodes({ VTK_LAGRANGE_TRIANGLE, 6, 4, 0.5 }));
   grid->GetPoints()->InsertNextPoint(0.2, 0.2, 1.0);
@@ -354,7 +354,7 @@ TEST(CellTypes, DataThatIsTooShort)
 }
 
 // Cells of other types are not changed.
-TEST(CellTypes, GridsWithoutThemAreNotCopied)
+TEST(CellTypes, GridsOfOtherTypesAreNotCopied)
 {
   const auto grid = OneCell(VTK_QUADRATIC_TETRA, Nodes({ VTK_QUADRATIC_TETRA, 10, 16, 0.0 }));
   EXPECT_EQ(WithLinearCells(grid), grid);

@@ -91,7 +91,7 @@ std::string FailureOf(
 
 } // namespace
 
-TEST(Isolated, MeshArrivesWhole)
+TEST(Isolated, MeshArrivesComplete)
 {
   VtkMessages messages(true);
   Progress progress(false);
@@ -154,7 +154,7 @@ TEST(Isolated, WarningsAndFailuresArrive)
     std::string::npos);
 }
 
-TEST(Isolated, CrashesAreOneLine)
+TEST(Isolated, CrashesGiveOneLine)
 {
   for (const int signal : { SIGSEGV, SIGABRT, SIGFPE, SIGBUS })
   {
@@ -177,7 +177,7 @@ TEST(Isolated, CrashesAreOneLine)
   EXPECT_EQ(left.rfind("its reader crashed", 0), 0u) << left;
 }
 
-TEST(Isolated, ReadersThatComeToNoEndAreStopped)
+TEST(Isolated, EndlessReadersAreStopped)
 {
   ChildLimits limits;
   limits.seconds = 1;
@@ -193,7 +193,7 @@ TEST(Isolated, ReadersThatComeToNoEndAreStopped)
   EXPECT_EQ(failure.rfind("its reader did not finish in 1 seconds", 0), 0u) << failure;
 }
 
-TEST(Isolated, CellsThatNameNoPointAreRefused)
+TEST(Isolated, CellsWithMissingPointsAreRejected)
 {
   const std::string failure = FailureOf(
     []

@@ -100,7 +100,7 @@ class ListChecks : public testing::Test
 using Arrays = testing::Types<vtkTypeInt32Array, vtkTypeInt64Array>;
 TYPED_TEST_SUITE(ListChecks, Arrays, ); // the comma for clang's -Wpedantic
 
-TYPED_TEST(ListChecks, NoteWhatIsRightAndWasSeen)
+TYPED_TEST(ListChecks, RecordListsThatAreCheckedAndCorrect)
 {
   List<TypeParam> list;
   EXPECT_TRUE(IsNoted(list, Points));
@@ -165,7 +165,7 @@ TYPED_TEST(ListChecks, FindEachWrongOffset)
   }
 }
 
-TYPED_TEST(ListChecks, AreQuietAboutWhatIsRight)
+TYPED_TEST(ListChecks, AcceptCorrectLists)
 {
   List<TypeParam> list;
   EXPECT_EQ(Failing(list.ToCells()), "");

@@ -83,7 +83,7 @@ std::string FailureOf(NumberedMesh& mesh)
 
 } // namespace
 
-TEST(NumberedMesh, VolumesAreSeenFromOutside)
+TEST(NumberedMesh, VolumesFaceOutwards)
 {
   const struct
   {
@@ -108,7 +108,7 @@ TEST(NumberedMesh, VolumesAreSeenFromOutside)
   }
 }
 
-TEST(NumberedMesh, NodesThatDoNotExist)
+TEST(NumberedMesh, MissingNodes)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);
@@ -116,7 +116,7 @@ TEST(NumberedMesh, NodesThatDoNotExist)
   EXPECT_EQ(FailureOf(mesh).rfind("its element 12 names node 9, which does not exist", 0), 0u);
 }
 
-TEST(NumberedMesh, NodesWithOneNumber)
+TEST(NumberedMesh, NodesWithTheSameNumber)
 {
   for (const bool isLast : { false, true })
   {
@@ -136,7 +136,7 @@ TEST(NumberedMesh, NodesWithOneNumber)
   }
 }
 
-TEST(NumberedMesh, PartsNumberTheirNodesAnew)
+TEST(NumberedMesh, PartsNumberTheirOwnNodes)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);
@@ -163,7 +163,7 @@ TEST(NumberedMesh, PolygonsHaveNoVolume)
   EXPECT_EQ(first[0] + first[1] + first[2], 3);
 }
 
-TEST(NumberedMesh, NodesAlone)
+TEST(NumberedMesh, NodesWithoutElements)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);

@@ -60,7 +60,7 @@ TEST(ObjNormals, NoneWithoutNormalsAndGroups)
   EXPECT_EQ(outcome.mesh->GetPointData()->GetNumberOfArrays(), 0);
 }
 
-TEST(ObjNormals, NoneWhereAllHaveNoLength)
+TEST(ObjNormals, NoneIfAllHaveZeroLength)
 {
   const Outcome outcome = Read(Roof + "vn 0 0 0\nvn 0 -0 0\nf 1//1 2//2 4//1 3//1\n" + Front);
   ExpectPoints(outcome, {});
@@ -77,7 +77,7 @@ TEST(ObjNormals, EqualIndicesShareAPoint)
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 3, 2 }, { 1, 0, 4, 5 } }));
 }
 
-TEST(ObjNormals, DifferentIndicesGetPointsOfTheirOwn)
+TEST(ObjNormals, DifferentIndicesGetSeparatePoints)
 {
   const Outcome outcome =
     Read(Roof + "vn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 4//1 3//1\nf 2//2 1//2 5//2 6//-1\n");
@@ -86,7 +86,7 @@ TEST(ObjNormals, DifferentIndicesGetPointsOfTheirOwn)
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 3, 2 }, { 6, 7, 4, 5 } }));
 }
 
-TEST(ObjNormals, ACornerWithoutOneHasThatOfItsFace)
+TEST(ObjNormals, ACornerWithoutANormalUsesTheFaceNormal)
 {
   // A whole face without normals, one corner without, and a normal of zero length.
   const Rows normals = { Z, Z, Z, Z, MinusY, MinusY, MinusY, MinusY };
@@ -101,7 +101,7 @@ TEST(ObjNormals, ACornerWithoutOneHasThatOfItsFace)
   }
 }
 
-TEST(ObjNormals, ACornerWithoutOneIsOfItsSmoothingGroup)
+TEST(ObjNormals, ACornerWithoutANormalUsesItsSmoothingGroup)
 {
   const Outcome outcome =
     Read(Roof + "v 2 0 0\nv 2 1 0\nvn 1 0 0\ns 1\n" + Top + Front + "f 2//1 7//1 8//1 4//1\n");
@@ -137,7 +137,7 @@ TEST(ObjNormals, DifferentGroupsAreSharp)
 
 // A sheet contains each face twice, once in each orientation: the normals of its sides must not
 // cancel.
-TEST(ObjNormals, SidesOfASheetAreApart)
+TEST(ObjNormals, SidesOfASheetAreSeparate)
 {
   const std::vector<double> back = { 0, Half, -Half };
   const std::vector<double> minusZ = { 0, 0, -1 };
@@ -172,7 +172,7 @@ TEST(OppositeFaces, RingsOfAllKinds)
       false, false, true, true, false, true, false, false, true, false, false, false }));
 }
 
-TEST(ObjNormals, AGroupMayComeTwice)
+TEST(ObjNormals, AGroupMayOccurTwice)
 {
   const Outcome outcome =
     Read(Roof + "v 2 0 0\nv 2 1 0\ns 1\n" + Top + "s 2\nf 2 7 8 4\ns 1\n" + Front);
@@ -188,12 +188,12 @@ TEST(ObjNormals, FacesBeforeTheFirstGroupAreFlat)
   EXPECT_EQ(NormalsOf(outcome), (Rows{ Between, Between, y, y, MinusY, MinusY, y, y, Z, Z }));
 }
 
-TEST(ObjNormals, GroupsBehindAllFacesMeanNothing)
+TEST(ObjNormals, GroupsAfterAllFacesHaveNoEffect)
 {
   EXPECT_EQ(NormalsOf(Read(Roof + Top + Front + "s 1\n")), Rows());
 }
 
-TEST(ObjNormals, PointsWithoutAFaceHaveNone)
+TEST(ObjNormals, UnusedPointsHaveNone)
 {
   const Outcome outcome = Read("v 9 9 9\n" + Roof + "s 1\nf 2 3 5 4\n");
   const std::vector<double> none = { 0, 0, 0 };
@@ -210,7 +210,7 @@ TEST(ObjTexture, OneForEachPoint)
   EXPECT_EQ(NormalsOf(outcome), Rows());
 }
 
-TEST(ObjTexture, ASeamMustNotBreakNormalsThatAreToBeComputed)
+TEST(ObjTexture, ASeamDoesNotBreakComputedNormals)
 {
   const Outcome outcome = Read(Roof + "vt 0 0\nvt 1 0\nf 1/1 2/1 4/1 3/1\nf 2/2 1/2 5/2 6/2\n");
   ExpectPoints(outcome, {});
@@ -235,7 +235,7 @@ TEST(ObjTexture, ASeamCopiesPointsWithTheirNormals)
   EXPECT_EQ(NormalsOf(flat), (Rows{ Z, Z, Z, Z, MinusY, MinusY, MinusY, MinusY }));
 }
 
-TEST(ObjTexture, ColoursGoWithThePoints)
+TEST(ObjTexture, ColoursFollowThePoints)
 {
   std::string colored = Roof;
   for (std::size_t at = 0, k = 0; (at = colored.find('\n', at)) != std::string::npos; ++k)

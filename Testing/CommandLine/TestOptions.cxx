@@ -37,7 +37,7 @@ TEST(Options, Defaults)
   EXPECT_FALSE(options.quiet || options.verbose);
 }
 
-TEST(Options, LightsKeepTheirOrderAndLeaveTheInputsAlone)
+TEST(Options, LightsKeepTheirOrderAndDoNotConsumeInputs)
 {
   const Parsed parsed = Parse({ "--light", "position=1,2,3", "a.ply", "--headlight", "--light",
     "direction=0,0,1", "b.ply", "-o", "-" });

@@ -114,7 +114,7 @@ TEST(ReadStl, TextInCapitals)
   ExpectSquare(Replaced(Square, "facet", "Facet"));
 }
 
-TEST(ReadStl, TextWithANameInAnyLetters)
+TEST(ReadStl, TextWithANameInAnyCharacters)
 {
   ExpectSquare(Replaced(Square, "square", "W\xc3\xbcrfel"));
   ExpectSquare(Replaced(Square, "square", "W\xfcrfel")); // Latin-1
@@ -142,13 +142,13 @@ TEST(ReadStl, TextWithMoreCorners)
   EXPECT_EQ(PolygonsOf(Read(text)), (Cells{ { 0, 1, 2, 3 }, { 0, 2, 4, 3 } }));
 }
 
-TEST(ReadStl, TextThatGoesOn)
+TEST(ReadStl, TextAfterTheSolid)
 {
   ExpectSquare(Square + "\nThat is all.\n",
     "lambent: warning: line 18 and everything after it are ignored, outside of any solid\n");
 }
 
-TEST(ReadStl, TextThatIsNotWhole)
+TEST(ReadStl, IncompleteText)
 {
   ExpectFailure(Square.substr(0, Square.find("endsolid")),
     "line 16: it is cut short: it ends where 'facet' or 'endsolid' is expected");
@@ -181,7 +181,7 @@ TEST(ReadStl, Binary)
   ExpectSquare(Binary(std::string(80, '\0')));
 }
 
-TEST(ReadStl, BinaryCutBehindEachByte)
+TEST(ReadStl, BinaryCutAfterEachByte)
 {
   for (const std::string header : { "made by a test", "solid made by a test" })
   {
@@ -210,7 +210,7 @@ TEST(ReadStl, BinaryWithAWrongCount)
   ExpectSquare(Binary() + "bye", "lambent: warning: ignored 3 bytes after its last triangle\n");
 }
 
-TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)
+TEST(ReadStl, AnyNumberOfEqualPointsIsMerged)
 {
   // A strip of squares; several triangles name each of its points.
   constexpr int count = 5000;

@@ -80,7 +80,7 @@ TEST(Values, PositionalLight)
 }
 
 // CMake's lists preserve colons, and shells need no quotes around them.
-TEST(Values, AttenuationHasToLeaveSomething)
+TEST(Values, AttenuationMustBePositive)
 {
   for (const char* text : { "0,0,0", "0,-1,0", "-1,0,0" })
   {
@@ -114,7 +114,7 @@ TEST(Values, LightDefaults)
   EXPECT_EQ(ParseLight("color=red;direction=0,0,-1").kind, LightValue::Kind::Directional);
 }
 
-TEST(Values, LightsThatMakeNoSense)
+TEST(Values, InvalidLights)
 {
   for (const char* text : { "", "position", "color=red", "position=1,2,3;",
          "position=1,2,3:", ":position=1,2,3", "position=1,2,3::color=red", "position:1,2,3",

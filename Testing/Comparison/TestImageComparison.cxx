@@ -85,7 +85,7 @@ TEST(ImageComparison, SeveralPixelsAreCountedAndFramed)
   EXPECT_STREQ(c->GetMessage(), "4 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)");
 }
 
-TEST(ImageComparison, PictureAndBaselineMayChangePlaces)
+TEST(ImageComparison, PictureAndBaselineMayBeSwapped)
 {
   const auto a = grey(3, 3, { { 1, 1, 1, 250 } }), b = grey(3, 3);
   EXPECT_EQ(compare(a, b)->GetMaximumDifference(), 150.0);
@@ -104,7 +104,7 @@ TEST(ImageComparison, ToleranceIsTheLargestDifferenceThatPasses)
     "exceeded");
 }
 
-TEST(ImageComparison, RootMeanSquareIsHeldAgainstTheTolerance)
+TEST(ImageComparison, RootMeanSquareIsComparedWithTheTolerance)
 {
   const auto a = grey(2, 2, { { 1, 1, 1, 106 } }), b = grey(2, 2); // sqrt(36 / 12)
   const int metric = vtkLambentImageComparison::ROOT_MEAN_SQUARE;
@@ -117,7 +117,7 @@ TEST(ImageComparison, RootMeanSquareIsHeldAgainstTheTolerance)
     "1.73205; the tolerance of 1 is exceeded");
 }
 
-TEST(ImageComparison, AnotherSizeFailsAndBothAreNamed)
+TEST(ImageComparison, DifferentSizesFailAndAreNamed)
 {
   const auto c = compare(grey(7, 5), grey(5, 7), 255.0);
   EXPECT_FALSE(c->GetPassed());
@@ -138,7 +138,7 @@ TEST(ImageComparison, OtherComponentsAndTypesFail)
   EXPECT_FALSE(compare(rgb, values<float>(2, 2, 3), 255.0)->GetPassed());
 }
 
-TEST(ImageComparison, OriginSpacingAndPlaceDoNotCount)
+TEST(ImageComparison, OriginSpacingAndExtentDoNotMatter)
 {
   const auto a = grey(4, 3, { { 2, 1, 0, 7 } }), b = grey(4, 3);
   b->SetExtent(10, 13, -5, -3, 2, 2);
@@ -149,7 +149,7 @@ TEST(ImageComparison, OriginSpacingAndPlaceDoNotCount)
   expectExtent(c, 2, 2, 1, 1);
 }
 
-TEST(ImageComparison, NotANumberIsItself)
+TEST(ImageComparison, NaNEqualsNaN)
 {
   const auto a = values<float>(3, 1, 1, { 1.0, nan, infinity });
   EXPECT_TRUE(compare(a, values<float>(3, 1, 1, { 1.0, nan, infinity }))->GetPassed());
@@ -222,7 +222,7 @@ TEST(ImageComparison, HighlightShowsTheSmallestDifference)
 }
 
 // PrintSelf() names every setting and result, with its value.
-TEST(ImageComparison, PrintSelfIsWhole)
+TEST(ImageComparison, PrintSelfIsComplete)
 {
   const auto printed = [](vtkLambentImageComparison* c)
   {

@@ -83,7 +83,7 @@ TEST(ImageComparisonBadInput, BitsAreNotNumbers)
   expectFailure(image, image, "cannot be compared");
 }
 
-TEST(ImageComparisonBadInput, WrongToleranceLeavesTheOldOne)
+TEST(ImageComparisonBadInput, WrongToleranceKeepsTheOldOne)
 {
   vtkNew<vtkLambentImageComparison> comparison;
   comparison->SetTolerance(2.0);
@@ -98,7 +98,7 @@ TEST(ImageComparisonBadInput, WrongToleranceLeavesTheOldOne)
 }
 
 // The tracer fails in an early or a late pass, and the comparison is not executed.
-TEST(ImageComparisonBadInput, InputThatFailsLeavesNothingPassed)
+TEST(ImageComparisonBadInput, FailedInputsDoNotPass)
 {
   for (const bool isLate : { false, true })
   {

@@ -54,7 +54,7 @@ protected:
   vtkNew<vtkLambentImageComparison> Comparison;
 };
 
-TEST_F(ImageComparisonRequests, EachLeadsToAResult)
+TEST_F(ImageComparisonRequests, EachGivesAResult)
 {
   for (const auto& [name, request] : requests())
   {
@@ -71,7 +71,7 @@ TEST_F(ImageComparisonRequests, EachLeadsToAResult)
   }
 }
 
-TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
+TEST_F(ImageComparisonRequests, AFailedInputLeavesNoResult)
 {
   const std::pair<const char*, Stage*> stages[] = { { "the picture", this->Picture },
     { "behind the picture", this->Behind }, { "the baseline", this->Baseline } };
@@ -97,7 +97,7 @@ TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
   }
 }
 
-TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
+TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNoResult)
 {
   vtkNew<vtkTrivialProducer> mesh, blocks;
   mesh->SetOutput(vtkNew<vtkPolyData>());
@@ -122,7 +122,7 @@ TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
 }
 
 // The other input of a downstream filter fails, so the comparison is not asked for data.
-TEST_F(ImageComparisonRequests, FailuresBesideItLeaveNothing)
+TEST_F(ImageComparisonRequests, FailuresOfOtherInputsLeaveNoResult)
 {
   vtkNew<Stage> other;
   vtkNew<Pair> pair;
@@ -136,7 +136,7 @@ TEST_F(ImageComparisonRequests, FailuresBesideItLeaveNothing)
   this->ExpectNothing("nothing has been compared since an input or a setting changed");
 }
 
-TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNothingOld)
+TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNoOldResult)
 {
   const auto ask = [this](const char* name, const Request& request)
   {
@@ -155,7 +155,7 @@ TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNothingOld)
     [](vtkLambentImageComparison* c) { Pipeline::SafeDownCast(c->GetExecutive())->UpdateData(0); });
 }
 
-TEST_F(ImageComparisonRequests, SettingsCountAsWell)
+TEST_F(ImageComparisonRequests, SettingsMatterToo)
 {
   this->Picture->SetValue(7);
   this->Comparison->SetTolerance(8);
@@ -201,7 +201,7 @@ void expectNothingOfAVanishedFile(const std::string& name, vtkLambentImageCompar
   }
 }
 
-TEST_F(ImageComparisonRequests, ReadersThatFailLeaveNothing)
+TEST_F(ImageComparisonRequests, FailedReadersLeaveNoResult)
 {
   expectNothingOfAVanishedFile<vtkXMLImageDataReader, vtkXMLImageDataWriter>(
     "vanished.vti", this->Comparison);

@@ -43,13 +43,13 @@ void expectNumbersOfEach()
   (expectNumbers<T>(), ...);
 }
 
-TEST(ImageComparisonTypes, EveryTypeOfNumbers)
+TEST(ImageComparisonTypes, EveryNumberType)
 {
   expectNumbersOfEach<char, signed char, unsigned char, short, unsigned short, int, unsigned int,
     long, unsigned long, long long, unsigned long long, float, double>();
 }
 
-TEST(ImageComparisonTypes, TheLargestValueIsNamedWhereItMeansSomething)
+TEST(ImageComparisonTypes, TheLargestValueIsNamedIfMeaningful)
 {
   const auto message = [](const vtkSmartPointer<vtkImageData>& a, vtkImageData* b)
   { return std::string(compare(a, b)->GetMessage()); };
@@ -63,7 +63,7 @@ TEST(ImageComparisonTypes, TheLargestValueIsNamedWhereItMeansSomething)
 }
 
 // For grey with an alpha channel, the three colours show the larger of the two differences.
-TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
+TEST(ImageComparisonTypes, HighlightOfGreyAndInfinity)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto highlighted = [](int components, const std::vector<double>& list)
@@ -88,7 +88,7 @@ TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
 }
 
 // Arrays that store each channel separately.
-TEST(ImageComparisonTypes, HowNumbersLieInMemoryDoesNotCount)
+TEST(ImageComparisonTypes, MemoryLayoutDoesNotMatter)
 {
   const auto apart = [](vtkImageData* image)
   {

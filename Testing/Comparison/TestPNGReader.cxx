@@ -67,7 +67,7 @@ protected:
   fs::path Path;
 };
 
-TEST_F(PNGReader, GivesWhatVtkPNGReaderGives)
+TEST_F(PNGReader, EqualsVtkPNGReader)
 {
   for (const auto& image :
     { grey(7, 5, { { 1, 2, 0, 9 }, { 6, 4, 2, 8 } }),
@@ -92,7 +92,7 @@ TEST_F(PNGReader, GivesWhatVtkPNGReaderGives)
   }
 }
 
-TEST_F(PNGReader, CutBehindEachByteOrWithOneChanged)
+TEST_F(PNGReader, CutAfterEachByteOrWithAChangedByte)
 {
   const std::string whole = Bytes(grey(7, 5));
   for (std::size_t size = 0; size < whole.size(); ++size)
@@ -110,7 +110,7 @@ TEST_F(PNGReader, CutBehindEachByteOrWithOneChanged)
   EXPECT_EQ(this->Problem(whole + "and more"), "");
 }
 
-TEST_F(PNGReader, FilesThatAreNone)
+TEST_F(PNGReader, MissingAndSpecialFiles)
 {
   vtkNew<vtkLambentPNGReader> reader;
   EXPECT_FALSE(reader->Read());
@@ -127,7 +127,7 @@ TEST_F(PNGReader, FilesThatAreNone)
   }
 }
 
-TEST_F(PNGReader, UpdateReportsAnErrorAndGivesNothing)
+TEST_F(PNGReader, UpdateReportsAnErrorAndEmptiesTheOutput)
 {
   vtkNew<vtkLambentPNGReader> reader;
   ASSERT_EQ(this->Problem(Bytes(grey(7, 5))), "");
@@ -145,7 +145,7 @@ TEST_F(PNGReader, UpdateReportsAnErrorAndGivesNothing)
   EXPECT_NE(reader->GetErrorCode(), vtkErrorCode::NoError);
 }
 
-TEST_F(PNGReader, ReadLooksAgainAndUpdateTakesWhatItRead)
+TEST_F(PNGReader, ReadReadsAgainAndUpdateUsesTheResult)
 {
   ASSERT_EQ(this->Problem(Bytes(grey(7, 5))), "");
   vtkNew<vtkLambentPNGReader> reader;
@@ -161,7 +161,7 @@ TEST_F(PNGReader, ReadLooksAgainAndUpdateTakesWhatItRead)
 }
 
 // A header may claim more pixels than the file can hold; that memory must not be allocated.
-TEST_F(PNGReader, PixelsThatCannotBeInTheFile)
+TEST_F(PNGReader, PixelsThatDoNotFitInTheFile)
 {
   std::string huge = Bytes(grey(7, 5));
   const std::string header("\x00\x0f\x00\x00\x00\x0f\x00\x00", 8); // 983040 x 983040
@@ -172,7 +172,7 @@ TEST_F(PNGReader, PixelsThatCannotBeInTheFile)
     this->Problem(huge), "the file is damaged: it is too short for its 983040 x 983040 pixels");
 }
 
-TEST_F(PNGReader, PrintSelfIsWhole)
+TEST_F(PNGReader, PrintSelfIsComplete)
 {
   vtkNew<vtkLambentPNGReader> reader;
   reader->SetFileName("some.png");

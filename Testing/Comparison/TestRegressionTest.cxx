@@ -92,7 +92,7 @@ TEST_F(RegressionTest, AlgorithmIsUpdated)
   EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(noPicture)), LambentFailed);
 }
 
-TEST_F(RegressionTest, DifferentPictureFailsAndIsLeftBehind)
+TEST_F(RegressionTest, DifferentPictureFailsAndIsWritten)
 {
   const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
   EXPECT_EQ(this->Run(picture.Get()), LambentFailed);
@@ -126,7 +126,7 @@ TEST_F(RegressionTest, MissingBaselineFailsAndCanBeAccepted)
   EXPECT_EQ(this->Run(picture.Get()), LambentPassed);
 }
 
-TEST_F(RegressionTest, NothingToCompareWithIsNotRun)
+TEST_F(RegressionTest, WithoutABaselineNothingIsRun)
 {
   char name[] = "test";
   char* argv[] = { name };
@@ -136,7 +136,7 @@ TEST_F(RegressionTest, NothingToCompareWithIsNotRun)
   EXPECT_EQ(result, LambentNotRun);
 }
 
-TEST_F(RegressionTest, FolderOfTheBaselineIsLeftAlone)
+TEST_F(RegressionTest, FolderOfTheBaselineIsNotWrittenTo)
 {
   const std::string valid = (this->Folder / "valid").string();
   fs::create_directory_symlink(valid, this->Folder / "link");
@@ -173,7 +173,7 @@ TEST_F(RegressionTest, LinksToTheBaselineAreNotWrittenThrough)
   this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
 }
 
-TEST_F(RegressionTest, OnlyWhatIsWrittenIsAccepted)
+TEST_F(RegressionTest, OnlyWrittenPicturesAreAccepted)
 {
   this->Update();
   const auto refuse =
@@ -202,7 +202,7 @@ TEST_F(RegressionTest, OnlyWhatIsWrittenIsAccepted)
   EXPECT_FALSE(fs::exists(this->Folder / "new.png"));
 }
 
-TEST_F(RegressionTest, BaselinesThatCannotBeAreFailures)
+TEST_F(RegressionTest, ImpossibleBaselinesFail)
 {
   for (const std::string& baseline :
     { std::string("/proc/x/a.png"), this->Folder.string(), std::string("/dev/null"),
@@ -243,7 +243,7 @@ TEST_F(RegressionTest, UpdatingFollowsLinks)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 1, 0, 0), 103.0);
 }
 
-TEST_F(RegressionTest, PicturesThatCannotBeLeftBehindAreNotNamed)
+TEST_F(RegressionTest, PicturesThatCannotBeWrittenAreNotNamed)
 {
   EXPECT_EQ(this->Run(grey(7, 5, { { 5, 1, 0, 103 } }).Get(), 0.0, "/proc/x", this->Baseline()),
     LambentFailed);
@@ -266,7 +266,7 @@ TEST_F(RegressionTest, NoPictureFails)
 }
 
 // The last picture equals the baseline, but it cannot be rendered again.
-TEST_F(RegressionTest, AlgorithmThatFailsLeavesNothingToCompare)
+TEST_F(RegressionTest, FailedAlgorithmsHaveNothingToCompare)
 {
   vtkNew<vtkLambentPNGReader> source;
   source->SetFileName(this->Baseline().c_str());

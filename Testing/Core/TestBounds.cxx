@@ -25,7 +25,7 @@ struct Triangle
 };
 }
 
-TEST(Bounds, AreThoseOfTheFinitePointsInUse)
+TEST(Bounds, CoverTheFinitePointsInUse)
 {
   const Triangle triangle;
   const Bounds bounds = findBounds({ triangle.surface }, Parallel());
@@ -42,7 +42,7 @@ TEST(Bounds, DoNotDependOnIdleWorkers)
   EXPECT_EQ(bounds.high, Vec3(7, 5, 9));
 }
 
-TEST(Bounds, OfNothingAreEmpty)
+TEST(Bounds, AreEmptyWithoutPoints)
 {
   EXPECT_TRUE(findBounds({ Surface() }, ThreadedParallel(2)).empty());
   Bounds sum;

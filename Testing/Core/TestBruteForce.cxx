@@ -77,7 +77,7 @@ Settings smallCells(int shift)
 }
 
 // The definition, written as plainly as possible: two loops and intersect().
-TEST(BruteForce, IsEachTriangleAgainstEachRay)
+TEST(BruteForce, TestsEachTriangleAgainstEachRay)
 {
   std::size_t hits = 0;
   for (unsigned int seed = 0; seed < 60; ++seed)
@@ -133,7 +133,7 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
   EXPECT_GT(hits, 10000u); // guards against scenes that are hardly hit
 }
 
-TEST(BruteForce, EqualsCells)
+TEST(BruteForce, EqualsTiles)
 {
   for (unsigned int seed = 0; seed < sceneCount; ++seed)
   {
@@ -213,7 +213,7 @@ TEST(BruteForce, EqualsSeveralRounds)
 }
 
 // So many tiles that they are processed in several batches, with a checkpoint after each.
-TEST(BruteForce, EqualsSeveralBatchesOfCells)
+TEST(BruteForce, EqualsSeveralBatchesOfTiles)
 {
   for (unsigned int seed : { 0u, 5u })
   {
@@ -248,7 +248,7 @@ TEST(BruteForce, EqualsAVeryWideImage)
 }
 
 // Tiles with many triangles are split among the workers.
-TEST(BruteForce, EqualsSplitCells)
+TEST(BruteForce, EqualsSplitTiles)
 {
   for (unsigned int seed : { 1u, 3u, 11u })
   {

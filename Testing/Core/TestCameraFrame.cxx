@@ -85,7 +85,7 @@ TEST(CameraFrame, WindowCenter)
   EXPECT_NEAR(frame.y(14) + 0.5 * frame.pixel, 0.0, 1e-16);
 }
 
-TEST(CameraFrame, GoesThereAndBack)
+TEST(CameraFrame, TransformsToTheFrameAndBack)
 {
   RandomNumbers random(2);
   for (int k = 0; k < 200; ++k)
@@ -172,7 +172,7 @@ TEST(CameraFrame, FramingTouchesTheBoundingSphere)
   }
 }
 
-TEST(CameraFrame, FramingNothingChangesNothing)
+TEST(CameraFrame, FramingEmptyBoundsChangesNothing)
 {
   RandomNumbers random(4);
   const Camera camera = makeCamera(random);

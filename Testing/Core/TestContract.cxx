@@ -101,7 +101,7 @@ TEST(Contract, NoRayPassesBetweenTrianglesThatShareAnEdge)
   EXPECT_EQ(passed, 0);
 }
 
-TEST(Contract, HitTellsWhereAndHowDeep)
+TEST(Contract, HitHasPositionAndDepth)
 {
   RandomNumbers random(3);
   for (int k = 0; k < 2000; ++k)
@@ -134,7 +134,7 @@ TEST(Contract, HitTellsWhereAndHowDeep)
   }
 }
 
-TEST(Contract, SumIsPositiveWhereTheFrontIsSeen)
+TEST(Contract, SumIsPositiveOnTheFront)
 {
   const FramePoint a = seenAt(0.0, 0.0, 1.0, false), b = seenAt(1.0, 0.0, 2.0, false),
                    c = seenAt(0.0, 1.0, 3.0, false);
@@ -181,7 +181,7 @@ TEST(Contract, TrianglesWithoutAreaAreNotHit)
 }
 
 // The edge functions of such a needle round to zero far beyond its ends.
-TEST(Contract, NeedlesEndWhereTheyEnd)
+TEST(Contract, NeedlesEndAtTheirTips)
 {
   RandomNumbers random(4);
   for (int k = 0; k < 100000; ++k)
@@ -196,7 +196,7 @@ TEST(Contract, NeedlesEndWhereTheyEnd)
   }
 }
 
-TEST(Contract, BehindTheEyeIsNotHit)
+TEST(Contract, TrianglesBehindTheEyeAreNotHit)
 {
   Hit hit;
   // Behind the eye, where it would appear upside down.
@@ -215,7 +215,7 @@ TEST(Contract, BehindTheEyeIsNotHit)
   EXPECT_FALSE(intersect(a, b, c, 0.0, 0.5, hit));
 }
 
-TEST(Contract, NumbersThatAreNoneAreNotHit)
+TEST(Contract, NonFiniteTrianglesAreNotHit)
 {
   const FramePoint good[3] = { seenAt(-1.0, -1.0, 1.0, false), seenAt(2.0, -1.0, 1.0, false),
     seenAt(-1.0, 2.0, 1.0, false) };

@@ -126,7 +126,7 @@ int compare(const View& view, RandomNumbers& random)
 }
 }
 
-TEST(Coverage, IsCertainOnlyWhereItIs)
+TEST(Coverage, IsCertainOnlyWhereItIsRight)
 {
   onAllTargets(
     []()

@@ -63,7 +63,7 @@ void expectTheSame(const Polygon& polygon, Ears& ears)
 
 // Outlines on a small grid that cross and touch themselves, with doubled corners and collinear
 // corners, and outlines of random points in space. The same ears must be cut in the same order.
-TEST(Ears, AreThoseOfTryingAllCornersAgain)
+TEST(Ears, EqualTryingAllCornersAgain)
 {
   RandomNumbers random(77);
   Ears ears;
@@ -85,7 +85,7 @@ TEST(Ears, AreThoseOfTryingAllCornersAgain)
 }
 
 // A crescent: its inner side blocks nearly all corners of its outer side.
-TEST(Ears, OfACrescentAreThoseOfTryingAllCornersAgain)
+TEST(Ears, EqualTryingAllCornersAgainOnACrescent)
 {
   Ears ears;
   for (int size : { 40, 300 })

@@ -114,7 +114,7 @@ TEST_F(Elementary, SineCosineTangentAreAccurate)
   EXPECT_TRUE(isWithin(tangent, 1.0));
 }
 
-TEST(ElementaryExact, AnglesOfTheCompass)
+TEST(ElementaryExact, MultiplesOfRightAngles)
 {
   using lambent::cosDegrees;
   using lambent::sinDegrees;
@@ -155,7 +155,7 @@ TEST(ElementaryExact, AnglesOfTheCompass)
   EXPECT_EQ(tanDegrees(-90.0), -Infinity);
 }
 
-TEST(ElementaryExact, AnglesThatAreNone)
+TEST(ElementaryExact, NonFiniteAngles)
 {
   for (double angle : { Infinity, -Infinity, NotANumber })
   {
@@ -241,7 +241,7 @@ TEST(ElementaryExact, Power)
   EXPECT_TRUE(std::isnan(power(0.5, NotANumber)));
 }
 
-TEST_F(Elementary, PowerOfRootsIsTheRootsOwn)
+TEST_F(Elementary, PowerEqualsSquareRootsAndSquares)
 {
   for (int i = 0; i < Arguments / 10; ++i)
   {

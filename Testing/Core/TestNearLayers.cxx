@@ -50,7 +50,7 @@ struct Layers
 };
 }
 
-TEST(NearLayers, AreToldApartInEveryInstructionSet)
+TEST(NearLayers, AreDistinguishedInEveryInstructionSet)
 {
   onAllTargets(
     []()

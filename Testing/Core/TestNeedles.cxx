@@ -35,7 +35,7 @@ std::vector<double> makeNeedles(int count, const CameraFrame& frame)
 }
 }
 
-TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
+TEST(Needles, EndAtTheirTipsInEveryInstructionSet)
 {
   constexpr int count = 400;
   Scene scene;

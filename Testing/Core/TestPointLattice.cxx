@@ -119,7 +119,7 @@ TEST(PointLattice, KeepsEveryRayThatHits)
 
 // A point between two rays is located between these two, so that a triangle between rays is
 // dropped.
-TEST(PointLattice, TellsBetweenWhichRays)
+TEST(PointLattice, LocatesPointsBetweenRays)
 {
   const Window window{ 5, 35, 3, 30 };
   RandomNumbers random(8);
@@ -140,7 +140,7 @@ TEST(PointLattice, TellsBetweenWhichRays)
 }
 
 // A point on a ray counts as left and as right of it, whichever way its position is rounded.
-TEST(PointLattice, PointsOnARayAreOnEitherSide)
+TEST(PointLattice, PointsOnARayCountOnBothSides)
 {
   RandomNumbers random(10);
   for (int k = 0; k < 5000; ++k)
@@ -159,7 +159,7 @@ TEST(PointLattice, PointsOnARayAreOnEitherSide)
 
 // Points located several at a time have the same positions as points located one by one, with
 // every instruction set.
-TEST(PointLattice, ManyAtATimeAreEqual)
+TEST(PointLattice, SeveralAtATimeEqualSinglePoints)
 {
   RandomNumbers random(11);
   Camera tiny;
@@ -241,7 +241,7 @@ TEST(PointLattice, CornersAreReadAndChecked)
   useVectorTarget(before);
 }
 
-TEST(PointLattice, SaysSoWhereThereIsNoPlace)
+TEST(PointLattice, MarksPointsWithoutAPosition)
 {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
@@ -264,7 +264,7 @@ TEST(PointLattice, SaysSoWhereThereIsNoPlace)
 }
 
 // The view is so wide and the point so distant that its position is infinity times zero.
-TEST(PointLattice, APlaceThatIsNotANumberIsAnywhere)
+TEST(PointLattice, NaNPositionIsAnywhere)
 {
   Camera camera;
   camera.position = Vec3(0.0);

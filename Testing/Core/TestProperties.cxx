@@ -192,7 +192,7 @@ TEST(Properties, ALightOfIntensity0ChangesNothing)
   }
 }
 
-TEST(Properties, CullingDropsNothingThatIsSeen)
+TEST(Properties, CullingDropsNothingVisible)
 {
   for (unsigned int seed = 0; seed < sceneCount; ++seed)
   {
@@ -248,7 +248,7 @@ void cut(RandomNumbers& random, const Vec3& a, const Vec3& b, const Vec3& c, int
 }
 }
 
-TEST(Properties, SplittingATriangleLeavesWhatItCovers)
+TEST(Properties, SplittingATriangleKeepsItsCoverage)
 {
   RandomNumbers random(5);
   for (int trial = 0; trial < 200; ++trial)

@@ -212,7 +212,7 @@ void compare(unsigned int seed, bool parallel, Shading shading)
 }
 }
 
-TEST(ShadingKernel, GivesTheDoublesOfTheDefinition)
+TEST(ShadingKernel, EqualsTheDefinition)
 {
   onAllTargets(
     []()

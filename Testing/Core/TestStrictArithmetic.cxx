@@ -136,7 +136,7 @@ TEST(StrictArithmetic, RaysAreComputedAsWritten)
   }
 }
 
-TEST(StrictArithmetic, NotANumberIsNoticed)
+TEST(StrictArithmetic, NaNIsDetected)
 {
   Camera camera;
   camera.position = { 0.0, 0.0, 1.0 };

@@ -149,7 +149,7 @@ TEST(Supersampling, EqualsBruteForceInEveryInstructionSet)
   }
 }
 
-TEST(Supersampling, PartsEqualThoseOfTheWhole)
+TEST(Supersampling, PartsEqualTheWhole)
 {
   for (unsigned int seed = 200; seed < 240; ++seed)
   {
@@ -163,7 +163,7 @@ TEST(Supersampling, PartsEqualThoseOfTheWhole)
 }
 
 // The bins fill up, so tiles must keep their hits from round to round.
-TEST(Supersampling, GoesOnInSeveralRounds)
+TEST(Supersampling, KeepsHitsFromRoundToRound)
 {
   Settings settings;
   settings.binPages = 1;

@@ -234,7 +234,7 @@ TEST(TouchingPolygons, HolesAreLeftOpen)
   expectCovered(109, { addTouchingHole, addHole, addTouchingHole });
 }
 
-TEST(TouchingPolygons, AllTogetherAreCovered)
+TEST(TouchingPolygons, CombinationsAreCovered)
 {
   expectCovered(110,
     { splitEdge, splitEdge, addHole, addTouchingHole, addSpike, addHole, addDetour, doubleCorner,
@@ -260,7 +260,7 @@ TEST(TouchingPolygons, AnArrowWithADoubledNotchKeepsItsNotch)
 }
 
 // A fan is right for them, as for the outline without the doubled corner.
-TEST(TouchingPolygons, ConvexOnesWithADoubledCornerStayFans)
+TEST(TouchingPolygons, ConvexPolygonsWithADoubledCornerStayFans)
 {
   EXPECT_EQ(cutInPlane({ { 0, 0 }, { 2, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } }, { 0, 1, 1, 2, 3 }),
     (std::vector<std::int32_t>{ 0, 1, 1, 0, 1, 2, 0, 2, 3 }));
@@ -277,7 +277,7 @@ TEST(TouchingPolygons, OutlinesThatCrossThemselvesKeepTheirTriangles)
 }
 
 // It crosses itself when seen along its normal, but not when seen along an axis.
-TEST(TouchingPolygons, BentOnesThatCrossThemselvesKeepTheirTriangles)
+TEST(TouchingPolygons, BentOutlinesThatCrossThemselvesKeepTheirTriangles)
 {
   const std::vector<Vec3> points{ { -4, 1, 1 }, { 4, -3, 1 }, { 4, 2, -1 }, { -4, -3, 0 } };
   const std::vector<std::int64_t> ids{ 0, 1, 2, 3 }, offsets{ 0, 4 };
@@ -287,7 +287,7 @@ TEST(TouchingPolygons, BentOnesThatCrossThemselvesKeepTheirTriangles)
 }
 
 // Near four million, floats are half a unit apart; whole units are still distinct.
-TEST(TouchingPolygons, WholeNumbersFarAwayAreExact)
+TEST(TouchingPolygons, LargeIntegerCoordinatesAreExact)
 {
   Outline arrow;
   arrow.corners = { { 40, 20 }, { -7, 8 }, { 5, -38 }, { 10, 0 }, { 10, 0 } };
@@ -297,7 +297,7 @@ TEST(TouchingPolygons, WholeNumbersFarAwayAreExact)
   expectCovered(arrow, { { 4194304, 4194304, 4194304 }, { 1, 0, 0 }, { 0, 1, 0 } }, false, random);
 }
 
-TEST(TouchingPolygons, OutlinesThatEncloseNothingKeepTheirNumber)
+TEST(TouchingPolygons, OutlinesWithoutAreaKeepTheirTriangleCount)
 {
   const std::vector<std::vector<PlanePoint>> outlines{
     { { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 } },     // a point
@@ -327,7 +327,7 @@ TEST(TouchingPolygons, OutlinesThatEncloseNothingKeepTheirNumber)
 }
 
 // Triangulation also ends for polygons too large or too small for products of lengths.
-TEST(TouchingPolygons, AnySizeEnds)
+TEST(TouchingPolygons, EndsForCoordinatesOfAnySize)
 {
   for (double size : { 1e-300, 1e-160, 1e-50, 1e50, 1e150, 1e308 })
   {

@@ -121,7 +121,7 @@ TEST(Triangulation, ConcavePolygonsAreCoveredExactlyOnce)
 }
 
 // A polygon of n points gives n - 2 triangles, whatever its shape.
-TEST(Triangulation, OddShapesKeepTheirNumber)
+TEST(Triangulation, DegenerateShapesKeepTheirTriangleCount)
 {
   const std::vector<std::vector<Vec3>> shapes{
     { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },                // crosses itself
@@ -157,7 +157,7 @@ TEST(Triangulation, AHoleStaysOpen)
   EXPECT_NEAR(sum, 12.0, 1e-12);
 }
 
-TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
+TEST(Triangulation, CellsWithFewerThanThreePointsGiveNothing)
 {
   Cells cells = makePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   cells.add({});
@@ -171,7 +171,7 @@ TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
 
 // Bad points are reported where triangles are streamed. Here their cells only keep the number of
 // triangles.
-TEST(Triangulation, BadPointsStandForTheirCell)
+TEST(Triangulation, BadPointsReplaceAllCornersOfTheirCell)
 {
   Cells cells;
   cells.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
@@ -236,7 +236,7 @@ TEST(Triangulation, DoesNotDependOnThreads)
   }
 }
 
-TEST(Triangulation, CellsAreInspected)
+TEST(Triangulation, CellSizesAreClassified)
 {
   Cells cells;
   const Parallel parallel;

@@ -61,7 +61,7 @@ std::vector<std::vector<std::int64_t>> facesOf(const CheckedFaces& checked)
 using CellList = std::vector<std::vector<std::int64_t>>;
 }
 
-TEST(CheckedFaces, PolygonsAloneAreUsedWhereTheyAre)
+TEST(CheckedFaces, PolygonsWithoutStripsAreUsedInPlace)
 {
   const List polygons{ { 0, 1, 3, 2 }, { 2, 3, 4 } };
   const CheckedFaces checked = check(polygons, {});
@@ -113,7 +113,7 @@ TEST(CheckedFaces, TheFirstWrongCellIsFound)
 }
 
 // All triangles of a strip are marked, also those with only finite points.
-TEST(CheckedFaces, FacesOfCellsThatAreNotFiniteAreMarked)
+TEST(CheckedFaces, FacesOfNonFiniteCellsAreMarked)
 {
   const CheckedFaces checked =
     check({ { 0, 1, 2 }, { 0, 1, 5 } }, { { 0, 1, 2, 3 }, { 0, 1, 2, 5 } });

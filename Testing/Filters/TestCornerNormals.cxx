@@ -210,7 +210,7 @@ TEST(CornerNormals, FacesOnBothSidesOfASheetDoNotMix)
 }
 
 // Neighbours of opposite orientation each have the normal of their own side, not rounding noise.
-TEST(CornerNormals, FacesThatRunOppositeWaysDoNotCancel)
+TEST(CornerNormals, FacesOfOppositeOrientationDoNotCancel)
 {
   PolygonMesh sheet = makeSheet(7, [](double x, double y) { return 0.1 * x - 0.2 * y; });
   for (std::size_t face = 0; face < sheet.faces.size(); face += 2)
@@ -256,7 +256,7 @@ TEST(CornerNormals, FacesOfANeedleHaveTheirOwnNormals)
 }
 
 // The sides meet at 30 degrees, up to the rounding of floats.
-TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
+TEST(CornerNormals, TwelveSidedTubeIsSmooth)
 {
   for (int start = 0; start < 40; ++start)
   {
@@ -280,7 +280,7 @@ TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
 }
 
 // vtkPolyDataNormals gives each group of linked corners its own copy of the point.
-TEST(CornerNormals, GroupsAreThoseOfVTKOnClosedMeshes)
+TEST(CornerNormals, GroupsEqualVTKsOnClosedMeshes)
 {
   for (const double angle : { 20.0, 30.0, 45.0 })
   {

@@ -92,7 +92,7 @@ TEST(CornerNormals, TooManyAreAnError)
   EXPECT_FALSE(lambent::computeCornerNormals(cube.faces, 180.0, lambent::Parallel(), 7).numbers);
 }
 
-TEST(CornerNormals, TooManyAreNoticedEarly)
+TEST(CornerNormals, TooManyAreDetectedEarly)
 {
   PolygonMesh cubes;
   for (int k = 0; k < 200000; ++k)

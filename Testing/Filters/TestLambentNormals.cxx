@@ -59,7 +59,7 @@ TEST(LambentNormals, CornerOfABoxByHand)
   }
 }
 
-TEST(LambentNormals, AnglesDoNotDependOnHowAPlaneIsCut)
+TEST(LambentNormals, AngleWeightsDoNotDependOnTheTriangulation)
 {
   // One face of the cube as a quad, then divided along each diagonal.
   vtkNew<vtkLambentNormals> normals;
@@ -84,7 +84,7 @@ TEST(LambentNormals, AnglesDoNotDependOnHowAPlaneIsCut)
   }
 }
 
-TEST(LambentNormals, AllWeightingsKnowThatAConcavePolygonIsFlat)
+TEST(LambentNormals, ConcavePolygonIsFlatInAllWeightings)
 {
   // An L of six points, and the square that fills its reflex corner.
   vtkSmartPointer<vtkPolyData> mesh = makeMesh(
@@ -103,7 +103,7 @@ TEST(LambentNormals, AllWeightingsKnowThatAConcavePolygonIsFlat)
   }
 }
 
-TEST(LambentNormals, ReflexCornerCountsWithItsInnerAngle)
+TEST(LambentNormals, ReflexCornerUsesItsInnerAngle)
 {
   // The L lies in z = 0. A wall that faces -y stands on its edge from the reflex corner. At that
   // corner the L's angle is 270 degrees, the wall's 90.
@@ -146,7 +146,7 @@ TEST(LambentNormals, SphereNormalsPointAwayFromTheCentre)
   }
 }
 
-TEST(LambentNormals, FarFromTheOriginNothingIsLost)
+TEST(LambentNormals, NoPrecisionIsLostFarFromTheOrigin)
 {
   // Edges of 2^-10 at coordinates of 2^23, which are exact in double. The bits must be the same as
   // near the origin, also for a polygon.

@@ -49,7 +49,7 @@ void expectNextGoodUpdateWorks(vtkLambentNormals* normals, const Messages& messa
 }
 }
 
-TEST(LambentNormalsBadInput, PointThatDoesNotExist)
+TEST(LambentNormalsBadInput, MissingPoint)
 {
   for (vtkIdType point : { vtkIdType(8), vtkIdType(-1), vtkIdType(1) << 40 })
   {
@@ -88,7 +88,7 @@ TEST(LambentNormalsBadInput, PointsOfTwoComponents)
   expectNextGoodUpdateWorks(normals, messages);
 }
 
-TEST(LambentNormalsBadInput, PointThatDoesNotExistInEveryKindOfCell)
+TEST(LambentNormalsBadInput, MissingPointInEveryKindOfCell)
 {
   using Setter = void (vtkPolyData::*)(vtkCellArray*);
   const std::pair<Setter, const char*> kinds[] = { { &vtkPolyData::SetVerts, "Cell 0 " },
@@ -108,7 +108,7 @@ TEST(LambentNormalsBadInput, PointThatDoesNotExistInEveryKindOfCell)
   }
 }
 
-TEST(LambentNormalsBadInput, OffsetsThatLeadNowhere)
+TEST(LambentNormalsBadInput, InvalidOffsets)
 {
   for (vtkTypeInt64 offset : { -1, 2, 9 })
   {
@@ -133,7 +133,7 @@ TEST(LambentNormalsBadInput, OffsetsThatLeadNowhere)
   }
 }
 
-TEST(LambentNormalsBadInput, NonFiniteCellsCountForNothing)
+TEST(LambentNormalsBadInput, NonFiniteCellsAreIgnored)
 {
   for (double bad : { Infinity, -Infinity, NotANumber })
   {
@@ -173,7 +173,7 @@ TEST(LambentNormalsBadInput, NonFiniteCellsCountForNothing)
   }
 }
 
-TEST(LambentNormalsBadInput, NonFinitePointsThatNoFaceUsesAreNoMatter)
+TEST(LambentNormalsBadInput, UnusedNonFinitePointsAreHarmless)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
   cube->GetPoints()->InsertNextPoint(NotANumber, 0.0, 0.0);
@@ -187,7 +187,7 @@ TEST(LambentNormalsBadInput, NonFinitePointsThatNoFaceUsesAreNoMatter)
   expectNear(tupleOf(array, 7), unit({ 1, 1, 1 }), 1e-7);
 }
 
-TEST(LambentNormalsBadInput, WhatHasNoNormalGetsZero)
+TEST(LambentNormalsBadInput, MissingNormalsAreZero)
 {
   // A triangle; one without area that shares an edge with it; a polygon of two points and one of
   // none; an unused point; triangles whose areas exceed the range of binary64.
@@ -320,7 +320,7 @@ TEST(LambentNormalsBadInput, FlippingWithoutComputingPointNormals)
   EXPECT_TRUE(warningsOf(true, true, false).empty());
 }
 
-TEST(LambentNormalsBadInput, NothingGivesNothing)
+TEST(LambentNormalsBadInput, EmptyInputGivesEmptyOutput)
 {
   for (bool everything : { false, true })
   {

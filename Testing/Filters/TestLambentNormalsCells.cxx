@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <functional>
 
-TEST(LambentNormalsCells, FlippingTurnsNormalsAndPolygons)
+TEST(LambentNormalsCells, FlippingReversesNormalsAndPolygons)
 {
   RandomMeshOptions options;
   options.cells = 300;
@@ -47,7 +47,7 @@ TEST(LambentNormalsCells, FlippingTurnsNormalsAndPolygons)
   }
 }
 
-TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyWhereTheyMust)
+TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyIfNeeded)
 {
   RandomMeshOptions options;
   options.cells = 300;

@@ -111,7 +111,7 @@ std::vector<float> normalsOf(vtkLambentNormals* normals)
 }
 }
 
-TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
+TEST(LambentNormalsProgress, IncreasesInTheCallingThread)
 {
   for (const Manner& manner : Manners)
   {
@@ -129,7 +129,7 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
 }
 
 // Each pass over the faces reports its progress in parts.
-TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
+TEST(LambentNormalsProgress, IsReportedMoreOftenForALargerMesh)
 {
   constexpr int resolution = 900;
   constexpr std::size_t parts = 2u * resolution * resolution / lambent::itemsPerPart;
@@ -152,7 +152,7 @@ TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
 }
 
 // Aborts at some of the reports. The last report is the executive's.
-TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutputAndTheNextOneIsRight)
+TEST(LambentNormalsProgress, AbortGivesAnEmptyOutputAndTheNextOneIsRight)
 {
   for (const Manner& manner : Manners)
   {

@@ -92,7 +92,7 @@ TEST(LambentNormalsReference, RandomMeshesOfAllCellsAndNumbers)
   }
 }
 
-TEST(LambentNormalsReference, FewPointsOfVeryManyFaces)
+TEST(LambentNormalsReference, FewPointsWithVeryManyFaces)
 {
   RandomMeshOptions options;
   options.points = 5; // fewer than the ranges

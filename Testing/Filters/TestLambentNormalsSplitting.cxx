@@ -106,7 +106,7 @@ std::vector<Face> referenceSplit(
 }
 }
 
-TEST(LambentNormalsSplitting, CubeFallsIntoItsFaces)
+TEST(LambentNormalsSplitting, CubeSplitsIntoItsFaces)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
   cube->GetPointData()->AddArray(makeNumbers("Number", 8));

@@ -163,7 +163,7 @@ TEST(NormalKernels, EqualTheDefinitionDouble64)
   comparePlainWithKernels<double, std::int64_t>();
 }
 
-TEST(NormalKernels, ChecksFindWhatIsAnywhere)
+TEST(NormalKernels, ChecksFindDefectsAtAnyPosition)
 {
   onAllTargets(
     []
@@ -233,7 +233,7 @@ TEST(CornerAngles, AreAccurate)
   EXPECT_LE(worstOfTriangle, 4.0);
 }
 
-TEST(CornerAngles, AreExactWhereTheyCanBe)
+TEST(CornerAngles, AreExactForSpecialAngles)
 {
   EXPECT_EQ(angleOf(0.0, 1.0), 0.0);
   EXPECT_EQ(angleOf(0.0, 0.0), 0.0);

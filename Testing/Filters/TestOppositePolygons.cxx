@@ -90,7 +90,7 @@ TEST(OppositePolygons, EqualAllRotations)
   EXPECT_GT(others, 4000);
 }
 
-TEST(OppositePolygons, AreOfTheSameSize)
+TEST(OppositePolygons, HaveTheSameSize)
 {
   const Rings rings{ { Ring(20, 1), Ring(21, 1), Ring(3, 1), Ring(4, 1), Ring(20, 1) } };
   lambent::OppositePolygons<Rings> opposites(rings);

@@ -41,7 +41,7 @@ void expectError(
 }
 }
 
-TEST(BadInput, CellsThatNamePointsThatDoNotExist)
+TEST(BadInput, CellsWithMissingPoints)
 {
   for (vtkIdType wrong : { vtkIdType(4), vtkIdType(-1), vtkIdType(1) << 32, VTK_ID_MAX })
   {
@@ -66,7 +66,7 @@ TEST(BadInput, CellsThatNamePointsThatDoNotExist)
 }
 
 // They are not drawn, so they are not read.
-TEST(BadInput, VerticesAndLinesThatNamePointsThatDoNotExist)
+TEST(BadInput, VerticesAndLinesWithMissingPoints)
 {
   Mesh mesh = makeSquare();
   mesh->SetVerts(makeCells({ { 9 } }));
@@ -129,7 +129,7 @@ TEST(BadInput, CellNormals)
 }
 
 // Bad normals are harmless if no pixel needs them.
-TEST(BadInput, NormalsThatAreNotUsedAreNotLookedAt)
+TEST(BadInput, UnusedNormalsAreNotChecked)
 {
   Mesh mesh = makeSquare();
   setPointNormals(mesh, std::vector<Vec>(3, { 0.0, 0.0, 1.0 }));
@@ -275,7 +275,7 @@ TEST(BadInput, LightExactlyOnTheSurface)
   }
 }
 
-TEST(BadInput, NothingToSeeIsTheBackground)
+TEST(BadInput, EmptyScenesShowTheBackground)
 {
   Studio studio;
   Messages messages(studio.tracer);

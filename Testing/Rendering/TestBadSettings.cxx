@@ -64,7 +64,7 @@ TEST(BadSettings, Supersampling)
   }
 }
 
-TEST(BadSettings, SamplesBeyondNumbers)
+TEST(BadSettings, TooManySamplesForAnInteger)
 {
   const auto spoil = [](Studio& s)
   {
@@ -80,7 +80,7 @@ TEST(BadSettings, SamplesBeyondNumbers)
     });
 }
 
-TEST(BadSettings, ImageBeyondMemory)
+TEST(BadSettings, ImageTooLargeForTheMemory)
 {
   const int sizes[][2] = { { 1000000, 1000000 }, { VTK_INT_MAX, VTK_INT_MAX },
     { VTK_INT_MAX, 100000 } };
@@ -94,7 +94,7 @@ TEST(BadSettings, ImageBeyondMemory)
 }
 
 // A part of an image too large for the memory can still be rendered.
-TEST(BadSettings, PartOfAnImageBeyondMemory)
+TEST(BadSettings, PartOfAnImageTooLargeForTheMemory)
 {
   Studio studio(1000000, 1000000);
   const Messages messages(studio.tracer);
@@ -303,7 +303,7 @@ TEST(BadSettings, BackgroundThatIsNotFinite)
 }
 
 // One warning names all camera settings that are not supported.
-TEST(BadSettings, UnsupportedCameraSettingsBringAWarning)
+TEST(BadSettings, UnsupportedCameraSettingsCauseAWarning)
 {
   vtkNew<vtkTransform> transform;
   vtkNew<vtkMatrix4x4> matrix;

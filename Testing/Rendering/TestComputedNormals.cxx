@@ -97,7 +97,7 @@ TEST(ComputedNormals, ABoxIsFlat)
 
 // The filter copies points for each side of an edge; the ray tracer does not. The bits are the
 // same.
-TEST(ComputedNormals, AreThoseOfTheFilterThatSplits)
+TEST(ComputedNormals, EqualTheSplittingFilters)
 {
   for (Mesh mesh :
     { makeBox(0.9, 0.7, 0.8), makeCan(9), makeCan(20), makeSphere(5), makeWave(9, 1) })
@@ -163,7 +163,7 @@ TEST(ComputedNormals, AreSmoothEverywhereAt180Degrees)
 
 // A sheet that contains each face twice, once in each orientation, looks like a single sheet from
 // both sides.
-TEST(ComputedNormals, ADoubledSheetLooksLikeOne)
+TEST(ComputedNormals, ADoubledSheetLooksLikeASingleOne)
 {
   for (const double angle : { 30.0, 180.0 })
   {
@@ -179,7 +179,7 @@ TEST(ComputedNormals, ADoubledSheetLooksLikeOne)
   }
 }
 
-TEST(ComputedNormals, FacesThatRunOppositeWaysAreLitAlike)
+TEST(ComputedNormals, FacesOfOppositeOrientationAreLitAlike)
 {
   Mesh sheet = makeWave(24, 1);
   Solid solid(sheet);
@@ -219,7 +219,7 @@ TEST(ComputedNormals, AMirroredMeshWithItsOwnNormalsIsLitFromOutside)
   EXPECT_LE(difference(outside, solid.bytes()), 1.0);
 }
 
-TEST(ComputedNormals, PartsEqualThoseOfTheWhole)
+TEST(ComputedNormals, PartsEqualTheWhole)
 {
   Solid solid(makeCan(11));
   const Picture whole = render(solid.tracer);

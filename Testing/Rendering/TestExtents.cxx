@@ -45,7 +45,7 @@ TEST(Extents, PartsEqualTheWhole)
   }
 }
 
-TEST(Extents, ExtractVOIAsksForItsPart)
+TEST(Extents, ExtractVOIRequestsItsPart)
 {
   Studio studio(101, 67);
   setUp(studio);

@@ -40,7 +40,7 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
 }
 }
 
-TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
+TEST(IdleSettings, CommonPropertyIsNamedOnce)
 {
   for (const auto& [parts, change] : idleProperties())
   {
@@ -68,7 +68,7 @@ TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
   }
 }
 
-TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
+TEST(IdleSettings, InputPropertyIsNamedWithItsInput)
 {
   for (const auto& [parts, change] : idleProperties())
   {
@@ -85,7 +85,7 @@ TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
 }
 
 // There may be thousands of inputs that share a property; there is one warning.
-TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
+TEST(IdleSettings, SharedPropertyIsNamedOnce)
 {
   Studio studio;
   Messages messages(studio.tracer);
@@ -112,7 +112,7 @@ TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
 }
 
 // A common property that no input uses causes no warning.
-TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
+TEST(IdleSettings, UnusedPropertyIsNotNamed)
 {
   Studio studio;
   const Messages messages(studio.tracer);
@@ -124,7 +124,7 @@ TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
   EXPECT_TRUE(messages.warnings().empty());
 }
 
-TEST(IdleSettings, AreNamedAgainWhenTheyComeBack)
+TEST(IdleSettings, AreNamedAgainWhenTheyReturn)
 {
   Studio studio;
   Messages messages(studio.tracer);
@@ -137,7 +137,7 @@ TEST(IdleSettings, AreNamedAgainWhenTheyComeBack)
   EXPECT_EQ(messages.warnings().size(), 2u);
 }
 
-TEST(IdleSettings, DefaultsAndWhatHasAnEffectAreNotNamed)
+TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
 {
   Studio studio;
   const Messages messages(studio.tracer);
@@ -223,7 +223,7 @@ const std::vector<std::pair<std::string, std::function<void(vtkLambentRayTracer*
 };
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNamedWhereAllHaveTheirOwn)
+TEST(IdleSettings, NormalSettingsAreNamedIfAllInputsHaveNormals)
 {
   for (const auto& [name, change] : normalSettings)
   {
@@ -247,7 +247,7 @@ TEST(IdleSettings, OfComputedNormalsAreNamedWhereAllHaveTheirOwn)
   }
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNamedWhereNothingIsSmooth)
+TEST(IdleSettings, NormalSettingsAreNamedIfNothingIsSmooth)
 {
   for (const auto& [name, change] : normalSettings)
   {
@@ -271,7 +271,7 @@ TEST(IdleSettings, OfComputedNormalsAreNamedWhereNothingIsSmooth)
   }
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNotNamedWhereOneInputNeedsThem)
+TEST(IdleSettings, NormalSettingsAreNotNamedIfAnInputNeedsThem)
 {
   for (const auto& [name, change] : normalSettings)
   {

@@ -148,7 +148,7 @@ TEST(Ids, CountAllCellsOfAMesh)
   EXPECT_EQ(render(studio).cells, (std::vector<vtkIdType>{ 3, 4, 5, 6, -1 }));
 }
 
-TEST(Ids, ChangeNoColour)
+TEST(Ids, DoNotChangeColours)
 {
   Studio studio(101, 67);
   studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });
@@ -158,7 +158,7 @@ TEST(Ids, ChangeNoColour)
   EXPECT_SAME_BITS(without, ::render(studio.tracer));
 }
 
-TEST(Ids, OfPartsEqualTheWhole)
+TEST(Ids, PartsEqualTheWhole)
 {
   Studio studio(101, 67);
   studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });

@@ -185,7 +185,7 @@ TEST(InputForms, Strips)
 }
 
 // Every second triangle of a strip is stored in reverse; all have the same orientation.
-TEST(InputForms, StripsFaceTheWayOfTheirFirstTriangle)
+TEST(InputForms, StripsHaveTheOrientationOfTheirFirstTriangle)
 {
   Mesh mesh = makeMesh({ { -2.0, -2.0, 0.0 }, { -2.0, 2.0, 0.0 }, { 0.0, -2.0, 0.0 },
                          { 0.0, 2.0, 0.0 }, { 2.0, -2.0, 0.0 }, { 2.0, 2.0, 0.0 } },
@@ -215,7 +215,7 @@ TEST(InputForms, VerticesAndLinesAreNotDrawn)
 }
 
 // Vertices come first in the numbering of cells and cell normals, then lines, polygons and strips.
-TEST(InputForms, CellNormalsAreFoundBehindVerticesAndLines)
+TEST(InputForms, CellNormalsFollowVerticesAndLines)
 {
   // On the left and on the right: a square of two triangles, or of a triangle and a strip.
   for (int strip : { 0, 1 })

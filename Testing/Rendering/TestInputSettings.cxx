@@ -84,7 +84,7 @@ TEST(InputSettings, FollowAmongConnectionsOfOneSource)
 }
 
 // The next meshes take the places of the previous ones.
-TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsGo)
+TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsAreRemoved)
 {
   Four four;
   four.tracer->RemoveAllInputs();
@@ -96,7 +96,7 @@ TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsGo)
   EXPECT_EQ(other.found(), "0123--");
 }
 
-TEST(InputSettings, StayWhenTheSameConnectionsAreMadeAnew)
+TEST(InputSettings, StayWhenTheSameConnectionsAreMadeAgain)
 {
   Four four;
   four.tracer->SetInputConnection(four.sources[0]->GetOutputPort());
@@ -120,7 +120,7 @@ TEST(InputSettings, FollowOrStayWhenAnotherConnectionReplacesAll)
   EXPECT_EQ(four.tracer->GetNumberOfInputConnections(0), 0);
 }
 
-TEST(InputSettings, CanBeMadeBeforeTheConnection)
+TEST(InputSettings, CanPrecedeTheConnection)
 {
   Four four;
   vtkNew<vtkLambentRayTracer> tracer;
@@ -154,7 +154,7 @@ TEST(InputSettings, AreReleased)
   EXPECT_GT(four.tracer->GetMTime(), before);
 }
 
-TEST(InputSettings, DrawTheInputThatIsLeft)
+TEST(InputSettings, ApplyToTheRemainingInput)
 {
   Studio studio;
   vtkNew<vtkProperty> red, blue;

@@ -48,7 +48,7 @@ Picture picture(const Vec& offset, int interpolation, int parallel)
 }
 }
 
-TEST(LargeCoordinates, LoseNothing)
+TEST(LargeCoordinates, LoseNoPrecision)
 {
   const Vec far(12345678.0, -9876543.0, 10000001.0);
   for (int interpolation : { VTK_FLAT, VTK_PHONG })
@@ -66,7 +66,7 @@ TEST(LargeCoordinates, LoseNothing)
 }
 
 // A scene twice as large gives the same picture: no length is built in.
-TEST(LargeCoordinates, ScaleIsNoMatter)
+TEST(LargeCoordinates, ScaleDoesNotMatter)
 {
   const auto pictureOf = [](double scale)
   {

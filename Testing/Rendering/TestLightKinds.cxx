@@ -52,7 +52,7 @@ struct Plane : Studio
 };
 }
 
-TEST(LightKinds, NoneIsAHeadlight)
+TEST(LightKinds, WithoutLightsThereIsAHeadlight)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 });
@@ -75,7 +75,7 @@ TEST(LightKinds, AllSwitchedOffIsDark)
   plane.expectEverywhere([](const Vec&) { return 0.5 * (0.8 + 1.0) + 2.0; });
 }
 
-TEST(LightKinds, HeadlightGoesWithTheCamera)
+TEST(LightKinds, HeadlightMovesWithTheCamera)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 });
@@ -92,7 +92,7 @@ TEST(LightKinds, HeadlightGoesWithTheCamera)
   EXPECT_EQ(light->GetTransformMatrix(), nullptr);
 }
 
-TEST(LightKinds, PositionalHeadlightHasItsConeRoundTheViewDirection)
+TEST(LightKinds, PositionalHeadlightHasItsConeAroundTheViewDirection)
 {
   Plane plane;
   plane.camera->SetViewAngle(60.0);
@@ -110,7 +110,7 @@ TEST(LightKinds, PositionalHeadlightHasItsConeRoundTheViewDirection)
 
 // In camera space the camera is at (0, 0, 1) and looks at the origin, y is up, and the unit is the
 // distance to the focal point.
-TEST(LightKinds, CameraLightLivesInCameraSpace)
+TEST(LightKinds, CameraLightIsInCameraSpace)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 }, { 0.3, 1.0, 0.1 });
@@ -261,7 +261,7 @@ TEST(LightKinds, ColourIsTheDiffuseOne)
   expectColor(render(plane.tracer).at(4, 4), 1.5 * 0.5 * Vec(0.2, 0.4, 1.0), "plane");
 }
 
-TEST(LightKinds, LightsCanBeTakenAway)
+TEST(LightKinds, LightsCanBeRemoved)
 {
   Plane plane;
   auto first = plane.light({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 }, false);

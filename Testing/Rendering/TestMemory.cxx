@@ -143,7 +143,7 @@ struct Aborter
 };
 }
 
-TEST(Memory, AThousandPicturesLeaveNothingBehind)
+TEST(Memory, AThousandPicturesDoNotLeak)
 {
   Studio studio;
   Inputs inputs;
@@ -172,7 +172,7 @@ TEST(Memory, AThousandPicturesLeaveNothingBehind)
     });
 }
 
-TEST(Memory, AThousandFiltersLeaveNothingBehind)
+TEST(Memory, AThousandFiltersDoNotLeak)
 {
   const Mesh mesh = makeSphere(20);
   expectFlatMemory(

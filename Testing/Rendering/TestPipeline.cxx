@@ -103,7 +103,7 @@ TEST(Pipeline, SameSettingsAreNoChange)
 }
 
 // Rendering modifies neither the inputs nor the caller's other objects.
-TEST(Pipeline, LeavesTheCallersObjectsAlone)
+TEST(Pipeline, DoesNotModifyTheCallersObjects)
 {
   Studio studio;
   vtkNew<vtkLight> light;

@@ -130,7 +130,7 @@ TEST(Pitfalls, NormalsFollowThePoints)
 
 // Coincident faces flicker from pixel to pixel or from run to run. Other projects leave open which
 // one a ray reports: RenderKit/embree#188, mikedh/trimesh#1338.
-TEST(Pitfalls, OfCoincidentFacesTheFirstIsSeen)
+TEST(Pitfalls, FirstOfCoincidentFacesIsVisible)
 {
   const Mesh ball = makeSphere(12);
   const Vec red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0);

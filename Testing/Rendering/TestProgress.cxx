@@ -40,7 +40,7 @@ struct Watcher
 };
 }
 
-TEST(Progress, RisesToOneInTheCallersThread)
+TEST(Progress, IncreasesToOneInTheCallersThread)
 {
   Studio studio(640, 480);
   studio.tracer->SetInputData(makeSphere(200));
@@ -58,7 +58,7 @@ TEST(Progress, RisesToOneInTheCallersThread)
 
 // Progress is also reported without computed normals, while cells are checked and divided and
 // bounds are computed.
-TEST(Progress, IsToldWhileTheSceneIsMade)
+TEST(Progress, IsReportedWhileTheSceneIsCreated)
 {
   std::vector<vtkIdType> ids(100000);
   std::vector<Vec> points;
@@ -85,7 +85,7 @@ TEST(Progress, IsToldWhileTheSceneIsMade)
 }
 
 // Many small inputs share one progress report.
-TEST(Progress, IsToldWhileManySurfacesAreMade)
+TEST(Progress, IsReportedWhileManySurfacesAreCreated)
 {
   Studio studio(64, 48);
   const Mesh square = makeSquare();
@@ -102,7 +102,7 @@ TEST(Progress, IsToldWhileManySurfacesAreMade)
 }
 
 // Computing normals has its share of the progress.
-TEST(Progress, IsToldWhileNormalsAreComputed)
+TEST(Progress, IsReportedWhileNormalsAreComputed)
 {
   Studio studio(64, 48);
   Mesh sphere = makeSphere(150);
@@ -123,7 +123,7 @@ TEST(Progress, IsToldWhileNormalsAreComputed)
   EXPECT_TRUE(messages.errors().empty());
 }
 
-TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
+TEST(Progress, AbortGivesAnEmptyOutputAndTheNextPictureIsRight)
 {
   Studio studio(200, 100);
   studio.tracer->SetInputData(makeSphere(50));
@@ -201,7 +201,7 @@ TEST(Progress, AbortBeforeNormalsAreComputed)
 }
 
 // The executive always reports 1; the rendering itself does so, too.
-TEST(Progress, OfThePictureItselfRisesToOne)
+TEST(Progress, IncreasesToOneInTheCore)
 {
   std::vector<float> floats(3 * 40 * 30);
   lambent::Image image;

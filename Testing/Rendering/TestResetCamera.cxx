@@ -81,7 +81,7 @@ TEST(ResetCamera, EqualsTheRenderers)
   }
 }
 
-TEST(ResetCamera, TurnsAParallelViewUpAsTheRendererDoes)
+TEST(ResetCamera, ReplacesAParallelViewUpLikeTheRenderer)
 {
   const Mesh mesh = makeSubject();
   Studio studio(60, 40);
@@ -96,7 +96,7 @@ TEST(ResetCamera, TurnsAParallelViewUpAsTheRendererDoes)
   expectSameView(studio.camera, expected);
 }
 
-TEST(ResetCamera, FramesASinglePlace)
+TEST(ResetCamera, FramesASinglePoint)
 {
   Studio studio(60, 40);
   const Mesh mesh = makeMesh({ { 1.0, 2.0, 3.0 } }, { { 0, 0, 0 } });
@@ -121,7 +121,7 @@ TEST(ResetCamera, FramesAllInputs)
   expectSameView(studio.camera, expected);
 }
 
-TEST(ResetCamera, MakesACameraWhereThereIsNone)
+TEST(ResetCamera, CreatesACameraIfThereIsNone)
 {
   Studio studio(60, 40);
   studio.tracer->SetCamera(nullptr);
@@ -151,7 +151,7 @@ TEST(ResetCamera, UpdatesTheInputs)
   EXPECT_NE(studio.position(), before);
 }
 
-TEST(ResetCamera, OfNothingLeavesTheCamera)
+TEST(ResetCamera, KeepsTheCameraWithoutPoints)
 {
   Studio studio(60, 40);
   studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });
@@ -160,7 +160,7 @@ TEST(ResetCamera, OfNothingLeavesTheCamera)
   EXPECT_EQ(studio.position(), Vec(1.0, 2.0, 9.0));
 }
 
-TEST(ResetCamera, OfABrokenMeshIsAnErrorAndLeavesTheCamera)
+TEST(ResetCamera, BrokenMeshIsAnErrorAndKeepsTheCamera)
 {
   Studio studio(60, 40);
   studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });

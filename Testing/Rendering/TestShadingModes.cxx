@@ -102,7 +102,7 @@ TEST(ShadingModes, NormalsAreInterpolatedThenNormalised)
 }
 
 // If the normals cancel there is no direction; the ambient term remains.
-TEST(ShadingModes, NoNormalIsTheAmbientTerm)
+TEST(ShadingModes, WithoutANormalTheAmbientTermRemains)
 {
   Facing facing;
   setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, 0.0 }));
@@ -145,7 +145,7 @@ TEST(ShadingModes, TwoSidedLightingTurnsTheNormalToTheViewer)
 
 // The winding determines the back of a face, unless the point normals disagree with it. An example
 // is a mirrored mesh: its faces are reversed, but its normals still point outwards.
-TEST(ShadingModes, NormalsOnTheOtherSideOfTheWindingTellTheSides)
+TEST(ShadingModes, NormalsOppositeToTheWindingDecideTheSide)
 {
   Facing facing;
   setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, -1.0 }));
@@ -181,7 +181,7 @@ TEST(ShadingModes, Culling)
 }
 
 // Culled faces hide nothing: a closed box shows its inside.
-TEST(ShadingModes, CullingLooksThrough)
+TEST(ShadingModes, CulledFacesHideNothing)
 {
   Studio studio(9, 9);
   studio.property->SetInterpolationToFlat();
@@ -193,7 +193,7 @@ TEST(ShadingModes, CullingLooksThrough)
 }
 
 // A smooth surface without normals looks as if it came through vtkLambentNormals.
-TEST(ShadingModes, ComputedNormalsAreThoseOfTheFilter)
+TEST(ShadingModes, ComputedNormalsEqualTheFilters)
 {
   Studio studio(40, 30);
   Mesh sphere = makeSphere(9);
@@ -209,7 +209,7 @@ TEST(ShadingModes, ComputedNormalsAreThoseOfTheFilter)
   EXPECT_NE(render(studio.tracer).bits(), alone.bits());
 }
 
-TEST(ShadingModes, InputPropertiesGoBeforeTheCommonOne)
+TEST(ShadingModes, InputPropertiesOverrideTheCommonOne)
 {
   Studio studio(4, 1);
   Mesh left =

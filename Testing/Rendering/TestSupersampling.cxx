@@ -29,7 +29,7 @@ vtkIdType idAt(vtkImageData* image, const char* name, int i, int j)
 }
 }
 
-TEST(Supersampling, IsTheLargerPictureAveraged)
+TEST(Supersampling, AveragesTheLargerPicture)
 {
   for (const int n : { 2, 3, 4, 7 })
   {
@@ -69,7 +69,7 @@ TEST(Supersampling, PartsEqualTheWhole)
 }
 
 // The ids are those of the central sample, since ids cannot be averaged.
-TEST(Supersampling, IdsAreThoseOfTheMiddleSample)
+TEST(Supersampling, IdsComeFromTheCentralSample)
 {
   for (const int n : { 2, 3 })
   {

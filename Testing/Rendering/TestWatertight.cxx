@@ -116,7 +116,7 @@ TEST(Watertight, GridWithPointsOnPixelCentres)
 }
 
 // A grid seen from random directions; the camera's axis goes exactly through one of its points.
-TEST(Watertight, GridsUnderAllAngles)
+TEST(Watertight, GridsFromAllAngles)
 {
   Random random;
   for (int k = 0; k < 40; ++k)
