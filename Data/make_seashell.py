@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes seashell.vtp, the mesh that the examples draw: a wentletrap.
+"""Makes seashell.vtp, the mesh of the examples: a wentletrap.
 
     python3 make_seashell.py [FILE]
 
 A shell grows by adding to its mouth, always in the same proportions. So the tube
-is a circle that turns about the axis while its size and its distance from the apex
-grow by the same factor each turn (D'Arcy Thompson, "On Growth and Form", 1917).
-Where growth pauses, the wentletrap leaves the flared rim of its mouth behind as a
-thin rib. At the mouth the wall turns round and runs back inside, so the mesh is
+is a circle that rotates about the axis, while its size and its distance from the
+apex grow by the same factor each turn (D'Arcy Thompson, "On Growth and Form",
+1917). Where growth pauses, the wentletrap leaves behind the flared rim of its mouth
+as a thin rib. At the mouth the wall turns and runs back inside, so the mesh is
 closed.
 """
 
@@ -21,30 +21,29 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-TURNS = 7.5          # of the outer wall, from the apex to the mouth
-GROWTH = 1.37        # of all lengths in one turn
-RADIUS = 1.7        # of the spiral round the axis, in radii of the tube
+TURNS = 7.5          # turns of the outer wall, from the apex to the mouth
+GROWTH = 1.37        # factor of all lengths per turn
+RADIUS = 1.7        # of the spiral around the axis, in radii of the tube
 HEIGHT = 6.2        # of the spiral below the apex, in radii of the tube
-RIBS = 12            # in one turn; they meet those of the turn above
+RIBS = 12            # per turn; they meet those of the turn above
 RIB_HEIGHT = 0.30    # in radii of the tube
 WALL = 0.07          # thickness of the wall, in radii of the tube
-INSIDE = 0.9         # turns that the inner wall runs back
-AROUND = 40          # points round the tube
+INSIDE = 0.9         # turns by which the inner wall runs back
+AROUND = 40          # points around the tube
 
-# A rib from its back to its front: the place along the tube as a fraction of the way
-# from rib to rib, and the height as a fraction of RIB_HEIGHT. The blade leans back,
-# away from the mouth.
+# A rib from back to front: positions along the tube, as fractions of the distance from rib to rib, and
+# heights, as fractions of RIB_HEIGHT. The blade leans back, away from the mouth.
 RIB = [(-0.32, 0.0), (-0.13, 0.0), (-0.085, 0.05), (-0.07, 0.45), (-0.09, 0.85), (-0.075, 1.0),
        (-0.045, 0.97), (-0.005, 0.5), (0.05, 0.07), (0.3, 0.0)]
 
-# The mouth, likewise: out to a broad rim, over it, and in to the inner wall.
+# The same for the mouth: out to a broad rim, over it, and in to the inner wall.
 RIM = [(-0.32, 0.0), (-0.15, 0.0), (-0.08, 0.05), (-0.02, 0.3), (0.01, 0.75), (0.03, 1.1),
        (0.08, 1.25), (0.14, 1.15), (0.16, 0.85), (0.13, 0.45), (0.07, 0.1), (0.0, -0.15)]
 
 
 def stations():
-    """The rings of the tube from the apex to the mouth and back inside: the turn at which each
-    stands, the height of its rib, and how much of the wall lies outside of it."""
+    """The rings of the tube from the apex to the mouth and back inside: the turn of each ring, the
+    height of its rib, and how much of the wall lies outside of it."""
     rows = []
     last = round(TURNS * RIBS)
     for rib in range(1, last):
@@ -56,20 +55,20 @@ def stations():
 
 
 def bump(angle, centre, width):
-    """A bell round an angle, both in radians, of the centre (in units of pi) and width given."""
+    """A bell around an angle (radians) with this centre and width (in units of pi)."""
     away = (angle - centre * pi + pi) % (2 * pi) - pi
     return np.exp(-(away / width) ** 2)
 
 
 def rings():
-    """Points of all rings, as an array of (ring, point on the ring, axis)."""
+    """The points of all rings, as an array of (ring, point on the ring, axis)."""
     turn, rib, inside = (row[:, None] for row in stations())
     size = GROWTH ** (turn - TURNS)
     round_tube = np.linspace(0, 2 * pi, AROUND, endpoint=False)[None, :]
     out, up = np.cos(round_tube), np.sin(round_tube)
 
-    # Ribs are highest on the shoulder, where they end in a small hook, and low on the side of the
-    # next turn, so that they do not come through its wall.
+    # Ribs are highest on the shoulder, where they end in a small hook, and low beside the next turn, so
+    # that they do not penetrate its wall.
     rib_height = RIB_HEIGHT * ((0.75 + 0.25 * out) * (1 - 0.85 * bump(round_tube, -0.55, 0.6)) +
                                0.5 * bump(round_tube, 0.25, 0.35))
     tube = 1 + rib * rib_height - WALL * inside
@@ -81,7 +80,7 @@ def rings():
 
 
 def faces(ring_count):
-    """Two triangles for each four neighbouring points, and a fan over each end."""
+    """Two triangles for each four neighbouring points, and a fan at each end."""
     ring = np.arange(ring_count - 1)[:, None] * AROUND
     here = np.arange(AROUND)[None, :]
     following = (here + 1) % AROUND
@@ -98,7 +97,7 @@ def faces(ring_count):
 
 
 def posed(points):
-    """Lay the shell down with its mouth to the viewer, who looks along -z with y up."""
+    """Lay the shell down with its mouth towards the viewer, who looks along -z with y up."""
     def rotation(axis, degrees):
         c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
         matrix = np.roll(np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), (axis, axis), (0, 1))
@@ -113,7 +112,7 @@ def seashell():
     tube = rings()
     ends = tube[[0, -1]].mean(axis=1)
     points = posed(np.concatenate([tube.reshape(-1, 3), ends]))
-    # On a grid of 2^-14 the coordinates are short numbers, and the file packs better.
+    # On a grid of 2^-14 the coordinates are short numbers, and the file compresses better.
     points = (np.round(points * 2 ** 14) / 2 ** 14).astype(np.float32)
     triangles = faces(len(tube)).astype(np.int64)
 

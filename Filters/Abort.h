@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief whether a filter shall stop, in every version of VTK
+ * @brief whether a filter should stop, in every version of VTK
  */
 #ifndef Abort_h
 #define Abort_h

@@ -44,8 +44,8 @@ TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   throw std::runtime_error(text.str());
 }
 
-/// Vertices or lines: nothing is made of them, but downstream filters follow what they name.
-/// Returns how many there are.
+/// Checks vertices or lines. The filter does not use them, but downstream filters follow their
+/// point ids. Returns how many there are.
 vtkIdType checkOthers(
   const CellSpan& cells, vtkIdType firstCell, std::size_t points, const Parallel& parallel)
 {

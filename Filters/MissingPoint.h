@@ -13,7 +13,7 @@
 
 namespace lambent::adapters
 {
-/// To follow the name of the cell. Points are 0 to points - 1.
+/// The message goes after the name of the cell. Valid points are 0 to points - 1.
 inline std::string describeMissingPoint(vtkIdType point, vtkIdType points)
 {
   return "names point " + std::to_string(point) + ", but there are " +

@@ -46,7 +46,7 @@ vtkSmartPointer<vtkTypeInt64Array> toArray(const IndexSpan& indices, const Paral
   return array;
 }
 
-// VTK's own copying relies on it.
+// VTK's own copying relies on these lengths.
 void checkLengths(vtkDataSetAttributes* data, vtkIdType expected, const std::string& kind)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -63,7 +63,7 @@ void checkLengths(vtkDataSetAttributes* data, vtkIdType expected, const std::str
   }
 }
 
-// The tuples named by sources, in that order, of all arrays.
+// Copies the tuples named by `sources`, in that order, of all arrays.
 template <typename Attributes>
 void copyTuples(Attributes* data, vtkIdList* sources)
 {
@@ -126,7 +126,7 @@ void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& conn
         Share(parallel, 0.3, 1.0)));
   }
   output->SetPolys(polygons);
-  // What a shallow copy shares with the input, and what described the old cells.
+  // Discard what the shallow copy shares with the input, and what described the old cells.
   output->DeleteCells();
   output->DeleteLinks();
 }

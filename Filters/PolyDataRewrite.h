@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief give a polydata other points and polygons, and let its data follow
+ * @brief replace the points and polygons of a polydata, and adapt its data
  *
- * The output starts as a shallow copy of the input. What is changed is replaced by
- * new arrays, so that the input keeps its own. Both throw std::runtime_error, with what
- * to do about it, if data that is to follow has the wrong length.
+ * The output starts as a shallow copy of the input. Changed parts are replaced by new arrays, so
+ * the input keeps its own. copyPoints() and setPolygons() throw std::runtime_error, with the
+ * remedy in its message, if an array that they must adapt has the wrong length.
  */
 #ifndef PolyDataRewrite_h
 #define PolyDataRewrite_h
@@ -25,16 +25,16 @@ namespace lambent::adapters
 {
 class FacesFromVTK;
 
-/// Append a copy of each of these points of the input, with its point data.
+/// Appends a copy of each listed point of the input, with its point data.
 void copyPoints(
   vtkPolyData* input, const std::vector<std::int64_t>& copiedPoints, vtkPolyData* output);
 
-/// Make the faces of the mesh the output's polygons, with another connectivity of the
-/// same length unless that is empty. No strips are left; cell data follows.
+/// Makes the faces of the mesh the output's polygons. A connectivity that is not empty replaces
+/// that of the faces; it must have the same length. Removes all strips and adapts the cell data.
 void setPolygons(const FacesFromVTK& mesh, const std::vector<std::int64_t>& connectivity,
   vtkPolyData* output, const Parallel& parallel);
 
-/// Let the points of each polygon run the other way. Only after setPolygons().
+/// Reverses the order of each polygon's points. Call this after setPolygons() only.
 void reversePolygons(vtkPolyData* output, const Parallel& parallel);
 }
 

@@ -21,7 +21,7 @@
 
 namespace lambent::adapters
 {
-/// As many workers as vtkSMPTools has threads, on whatever backend is in use.
+/// One worker for each thread of vtkSMPTools, with any backend.
 class SMPParallel : public Parallel
 {
 public:
@@ -40,8 +40,8 @@ public:
   }
 
 private:
-  /// From VTK 9.3 on the backend STDThread keeps its threads. A child process does not
-  /// inherit them, and would wait for them for ever.
+  /// Since VTK 9.3 the backend STDThread keeps a pool of threads. A child process does not
+  /// inherit them and would wait for them forever.
   static bool hasLostThreads()
   {
 #if defined(__unix__) && VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)

@@ -45,8 +45,8 @@ std::optional<AttributeType> attributeType(vtkDataArray* array)
   }
 }
 
-// Two arrays of signed integers of the same width, one number after the other. VTK
-// 9.6 and later also know arrays that compute their values.
+// Whether both are contiguous arrays of signed integers of the same width. VTK 9.6 and later
+// also have arrays that compute their values.
 bool areStoredPlainly(vtkDataArray* offsets, vtkDataArray* connectivity)
 {
   return offsets->HasStandardMemoryLayout() && connectivity->HasStandardMemoryLayout() &&

@@ -4,9 +4,9 @@
  * @file
  * @brief VTK's arrays as the core's spans
  *
- * Tuples of float and double, and cells of 32 and 64 bits, are used where they are.
- * Other number types and memory layouts are converted into memory that the
- * SpansFromVTK owns; arrays and SpansFromVTK must outlive the spans.
+ * Tuples of float and double, and cells of 32 and 64 bits, are used in place. Other number
+ * types and memory layouts are converted into memory that the SpansFromVTK owns. The arrays
+ * and the SpansFromVTK must outlive the spans.
  */
 #ifndef SpansFromVTK_h
 #define SpansFromVTK_h
@@ -27,11 +27,11 @@ namespace lambent::adapters
 class SpansFromVTK
 {
 public:
-  /// Tuples of three components; nullptr gives none.
+  /// Tuples of three components; no tuples for nullptr.
   TupleSpan tuples(vtkDataArray* array);
-  /// Any number type and number of components; nullptr gives none.
+  /// Any number type and number of components; none for nullptr.
   AttributeSpan attribute(vtkDataArray* array, bool isPerCell);
-  /// nullptr, and no cells, give none.
+  /// No cells for nullptr.
   CellSpan cells(vtkCellArray* array);
 
 private:

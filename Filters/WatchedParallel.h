@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK's threads for a filter that reports its progress and can be aborted
+ * @brief VTK's threads for a filter that reports progress and can be aborted
  */
 #ifndef WatchedParallel_h
 #define WatchedParallel_h
@@ -13,7 +13,7 @@
 
 namespace lambent::adapters
 {
-/// What a checkpoint throws when the filter shall stop.
+/// A checkpoint throws this when the filter should stop.
 struct Aborted
 {
 };
@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /// Small work has many checkpoints, which do not all become a ProgressEvent.
+  /// Small work has many checkpoints, so not every one sends a ProgressEvent.
   void checkpoint(double done) const override
   {
     constexpr double step = 0.002;

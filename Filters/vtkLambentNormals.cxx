@@ -55,7 +55,7 @@ void addPointNormals(vtkPolyData* output, const lambent::Faces& faces, lambent::
   setNormals(output->GetPointData(), normals);
 }
 
-// Vertices and lines come before the faces and have none.
+// Vertices and lines come before the faces and have no normals.
 void addCellNormals(
   vtkPolyData* output, const lambent::Faces& faces, float sign, const lambent::Parallel& parallel)
 {
@@ -92,7 +92,7 @@ int vtkLambentNormals::RequestData(
   }
   catch (const Aborted&)
   {
-    // The executive shall not take the empty output for an up-to-date one.
+    // The executive must not consider the empty output up to date.
     output->Initialize();
     outputs->GetInformationObject(0)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
     return 1;
@@ -112,7 +112,7 @@ int vtkLambentNormals::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// Once for as long as it holds, not each time that the filter executes.
+// Warns once while the condition lasts, not at each execution.
 void vtkLambentNormals::WarnOfFlipping(vtkPolyData* input)
 {
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
@@ -132,7 +132,7 @@ void vtkLambentNormals::WarnOfFlipping(vtkPolyData* input)
 void vtkLambentNormals::Execute(vtkPolyData* input, vtkPolyData* output)
 {
   const WatchedParallel parallel(this);
-  parallel.checkAbort(); // by who was told that it begins
+  parallel.checkAbort(); // a StartEvent observer may already have aborted
 
   output->ShallowCopy(input);
   FacesFromVTK mesh(input, lambent::Share(parallel, 0.0, 0.2));

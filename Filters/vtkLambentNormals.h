@@ -2,58 +2,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLambentNormals
- * @brief   point and cell normals of a polygonal mesh, the same bits on any number of threads
+ * @brief   point and cell normals of a polygonal mesh, with the same bits on any number of threads
  *
- * vtkLambentNormals passes its input on with the point data array "Normals" (3
- * components of float, the active normals) and, if asked for, a cell data array of
- * the same name and kind. It reads triangles, quads, polygons of any number of
- * points and triangle strips; vertices and lines pass through.
+ * vtkLambentNormals passes its input through and adds the point data array "Normals" (3
+ * components of float, the active normals). On request it also adds a cell data array of
+ * the same name and type. It reads triangles, quads, polygons with any number of points,
+ * and triangle strips; vertices and lines pass through.
  *
  * How it works:
  *
- * 1. All cells are checked: each must name points that exist.
- * 2. If asked for, the mesh is cut open along its sharp edges.
- * 3. The points are divided into ranges. A range goes through the faces in order and
- *    adds what each of them contributes to the points of the range.
- * 4. Each sum is scaled to length one.
+ * 1. Check all cells: each must name points that exist.
+ * 2. If Splitting is on, split the mesh along its sharp edges.
+ * 3. Divide the points into ranges. For each range, walk the faces in order and add their
+ *    contributions to the points of the range.
+ * 4. Scale each sum to unit length.
  *
- * The definition of a point normal: the sum, in binary64 and in ascending order of
- * (cell, triangle within a strip, corner within the face), of what each face
- * contributes at the corners that name the point, scaled to length one and rounded
- * to float. That is what a plain serial loop gives; threads and their number cannot
- * change a bit. With N the area vector of a face (normal to it by the right-hand
- * rule, as long as twice its area; Newell's for polygons), u and v the edges from
- * the corner to the next and to the previous point of the face:
+ * Definition of a point normal: the sum of the contributions of all faces at the corners
+ * that name the point, in binary64 and in ascending order of (cell, triangle within a
+ * strip, corner within the face), scaled to unit length and rounded to float. This is the
+ * result of a plain serial loop; the number of threads cannot change a bit. Let N be the
+ * area vector of a face (normal to it by the right-hand rule, with twice its area as
+ * length; Newell's for polygons), and u and v the edges from the corner to the next and
+ * to the previous point of the face. The contribution is:
  *
  *     UNIFORM   N / |N|
  *     AREA      N
  *     ANGLE     N / |N| * (angle between u and v)
  *     MAX       u x v / (|u|^2 |v|^2)
  *
- * At a reflex corner of a polygon ANGLE takes the angle inside the polygon, and MAX
- * turns its vector to the side of N. A point that a polygon names twice in a row
- * counts once. The normal of a face is N / |N|.
+ * At a reflex corner of a polygon, ANGLE uses the angle inside the polygon, and MAX
+ * negates its vector so that it lies on the side of N. Consecutive repeats of a point in
+ * a polygon count once. The normal of a face is N / |N|.
  *
- * What has no normal gets (0, 0, 0): points that no face uses, vertices, lines,
- * faces of no area, and points all of whose faces are such. Faces of no area
- * contribute nothing (squared lengths are computed in binary64: edges should be
- * longer than 1e-75 and shorter than 1e75).
+ * Points that no face uses, vertices, lines, faces without area, and points that only
+ * such faces use have no normal: they get (0, 0, 0). Faces without area contribute nothing
+ * (squared lengths are computed in binary64, so edges should be longer than 1e-75 and
+ * shorter than 1e75).
  *
- * Triangle strips stay strips, unless Splitting, FlipNormals or ComputeCellNormals
- * is on: then they become triangles, each with the cell data of its strip, after the
- * polygons of the output. Points keep their ids and their order; Splitting appends
- * copies. The input is never modified. Point or cell normals that the input has and
- * that are not computed are passed on.
+ * Triangle strips remain strips unless Splitting, FlipNormals or ComputeCellNormals is
+ * on. Then they become triangles, placed after the polygons of the output, each with the
+ * cell data of its strip. Points keep their ids and their order; Splitting appends copies.
+ * The input is never modified. Its point or cell normals are passed on if this filter does
+ * not compute them.
  *
- * Bad input: a cell that names a point that does not exist is an error, and the
- * output is empty; so is, where points are duplicated or strips become triangles, a
- * data array of the wrong length. Polygons and strips with an infinite or undefined coordinate
- * contribute nothing, and bring one warning. An empty input gives an empty output.
+ * Bad input: it is an error if a cell names a point that does not exist, or if a data array
+ * has the wrong length where points are duplicated or strips become triangles. The output
+ * is then empty. Polygons and strips with an infinite or NaN coordinate contribute
+ * nothing and cause one warning. An empty input gives an empty output.
  *
  * @warning
- * The faces are taken as they are oriented. Where neighbours face opposite ways
- * their contributions cancel; vtkPolyDataNormals or vtkOrientPolyData can turn them
- * the same way first.
+ * The orientation of the faces is not changed. Where neighbours have opposite
+ * orientations, their contributions cancel; apply vtkPolyDataNormals or vtkOrientPolyData
+ * first to orient them consistently.
  *
  * @par Thanks:
  * ANGLE: G. Thuermer, C. A. Wuethrich, "Computing Vertex Normals from Polygonal
@@ -91,10 +91,10 @@ public:
 
   ///@{
   /**
-   * How much each face counts at its corners. UNIFORM: all the same. AREA: by the
-   * area of the face; large faces dominate. ANGLE: by the angle of the corner; the
-   * result does not depend on how plane regions are cut into triangles. MAX: exact
-   * where the points lie on a sphere. Other values are clamped. Default: ANGLE.
+   * The weight of each face at its corners. UNIFORM: the same for all. AREA: the area of
+   * the face; large faces dominate. ANGLE: the angle of the corner; the result does not
+   * depend on how plane regions are divided into triangles. MAX: exact where the points
+   * lie on a sphere. Other values are clamped. Default: ANGLE.
    */
   vtkSetClampMacro(Weighting, int, UNIFORM, MAX);
   vtkGetMacro(Weighting, int);
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Compute the cell data "Normals", (0, 0, 0) for vertices and lines. Strips
-   * become triangles, since a strip has no single normal. Default: off.
+   * Compute the cell data "Normals"; vertices and lines get (0, 0, 0). Strips become
+   * triangles, since a strip has no single normal. Default: off.
    */
   vtkSetMacro(ComputeCellNormals, vtkTypeBool);
   vtkGetMacro(ComputeCellNormals, vtkTypeBool);
@@ -126,13 +126,12 @@ public:
 
   ///@{
   /**
-   * Cut the mesh open along sharp edges, so that each side has normals of its own.
-   * Sharp is an edge between two faces whose normals are more than FeatureAngle
-   * apart, and an edge of more than two faces; a face of no area is sharp against
-   * all others. The faces round a point that are linked by edges that are not sharp
-   * stay together; the group with the smallest cell id keeps the point, and each
-   * further one gets a copy with the same coordinates and point data. Copies are
-   * appended, ordered by the id of the point and then by the smallest cell id of the
+   * Split the mesh along sharp edges, so that each side has its own normals. An edge is
+   * sharp if the normals of its two faces differ by more than FeatureAngle, if one of these
+   * faces has no area, or if it has more than two faces. The faces around a point form
+   * groups that are linked by smooth edges. The group with the smallest cell id keeps the
+   * point; each other group gets a copy with the same coordinates and point data. Copies
+   * are appended, ordered by the id of the point and then by the smallest cell id of the
    * group. Global ids, which must be unique, are not copied. Default: off.
    */
   vtkSetMacro(Splitting, vtkTypeBool);
@@ -142,9 +141,9 @@ public:
 
   ///@{
   /**
-   * The largest angle, in degrees, between the normals of two faces that still go
-   * smoothly into each other when Splitting is on; clamped to [0, 180]. At 180 only
-   * edges of more than two faces are sharp. Default: 30.
+   * The largest angle, in degrees, between the normals of two faces whose common edge is
+   * still smooth when Splitting is on; clamped to [0, 180]. At 180 only edges with more
+   * than two faces, or with a face without area, are sharp. Default: 30.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -152,11 +151,11 @@ public:
 
   ///@{
   /**
-   * Turn the surface inside out, as vtkPolyDataNormals does: computed normals point
-   * the other way, and the points of each polygon run the other way round, so that
-   * front and back change places for culling too. Point normals that are only passed
-   * on are not turned; so without ComputePointNormals it causes a warning, unless cell
-   * normals are computed and the input has no point normals. Default: off.
+   * Turn the surface inside out, as vtkPolyDataNormals does: negate the computed normals,
+   * and reverse the order of each polygon's points, so that culling also swaps front and
+   * back. Point normals that are only passed on are not negated. Therefore FlipNormals
+   * without ComputePointNormals causes a warning, unless cell normals are computed and the
+   * input has no point normals. Default: off.
    */
   vtkSetMacro(FlipNormals, vtkTypeBool);
   vtkGetMacro(FlipNormals, vtkTypeBool);

@@ -15,11 +15,11 @@ class vtkProperty;
 
 namespace lambent::adapters
 {
-/// nullptr is the default appearance.
+/// nullptr gives the default appearance.
 Appearance appearanceFromVTK(vtkProperty* property);
 
-/// What is wrong with an appearance, and the remedy, to follow the name of its property; empty
-/// if nothing.
+/// What is wrong with an appearance, and the remedy; the message goes after the name of the
+/// property. Empty if nothing is wrong.
 std::string describeDefect(const Appearance& appearance);
 }
 

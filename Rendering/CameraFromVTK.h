@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK's camera as the core's
+ * @brief a vtkCamera as a camera of the core
  *
- * Only plain settings are read, never the matrices that VTK computes from them:
- * those differ in their last bits between platforms.
+ * Reads only plain settings, never the matrices that VTK computes from them: their last bits
+ * differ between platforms.
  */
 #ifndef CameraFromVTK_h
 #define CameraFromVTK_h
@@ -20,14 +20,14 @@ namespace lambent::adapters
 {
 Camera cameraFromVTK(vtkCamera* camera);
 
-/// Give a camera what framing bounds changes: position, focal point, view-up, view
-/// angle and parallel scale.
+/// Applies to a camera what framing the bounds changes: position, focal point, view-up, view angle
+/// and parallel scale.
 void applyFraming(const Camera& framed, vtkCamera* camera);
 
-/// Which of the camera's settings are not supported; empty if none.
+/// The names of the camera's settings that are not supported; empty if none are in use.
 std::string unsupportedSettings(vtkCamera* camera);
 
-/// What is wrong with a camera, and the remedy; empty if nothing.
+/// What is wrong with a camera, and the remedy; empty if nothing is wrong.
 std::string describeDefect(const Camera& camera);
 }
 

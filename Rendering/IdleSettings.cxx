@@ -21,7 +21,7 @@ namespace
 {
 using Messages = std::vector<std::string>;
 
-/// `whose` begins the message.
+/// `whose` is the beginning of the message.
 void addProperty(Messages& messages, const std::string& whose, vtkProperty* property)
 {
   const auto add = [&](bool isSet, const char* text)
@@ -55,7 +55,7 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "SetTexture() has no effect. Call SetColor(), and RemoveAllTextures().");
 }
 
-/// Names the inputs in a few words, however many they are.
+/// Names the inputs in a few words, no matter how many there are.
 std::string nameInputs(const std::vector<std::size_t>& inputs)
 {
   const std::size_t others = inputs.size() - 1;
@@ -63,13 +63,13 @@ std::string nameInputs(const std::vector<std::size_t>& inputs)
     (others > 0 ? " and " + std::to_string(others) + " more" : "");
 }
 
-/// Each property once, however many inputs share it.
+/// Checks each property once, even if several inputs share it.
 void addProperties(Messages& messages, const SceneSettings& settings)
 {
   vtkProperty* const common = settings.property;
   bool isCommonUsed = false;
   std::vector<std::pair<vtkProperty*, std::vector<std::size_t>>>
-    users; // by the first input of each
+    users; // ordered by the first input that uses each
   std::unordered_map<vtkProperty*, std::size_t> placeOf;
   for (std::size_t k = 0; k < settings.inputs.size(); ++k)
   {
@@ -95,7 +95,8 @@ void addProperties(Messages& messages, const SceneSettings& settings)
   }
 }
 
-/// Why no normals are computed, and what to do; empty if there are some, or nothing is drawn.
+/// Why no normals are computed, and the remedy. Empty if some are computed, or if no input has
+/// faces.
 std::string whyNoNormalsAreComputed(const SceneSettings& settings)
 {
   bool isAnyDrawn = false, isAnySmooth = false;
@@ -136,7 +137,7 @@ void addNormalSettings(Messages& messages, const SceneSettings& settings)
   }
 }
 
-/// A light that shines along the way to its focal point, and stands there.
+/// Whether the direction of a light is undefined: it is aimed, but its position is its focal point.
 bool isWithoutDirection(vtkLight* light)
 {
   const double *from = light->GetPosition(), *to = light->GetFocalPoint();

@@ -16,8 +16,8 @@ namespace lambent::adapters
 {
 struct SceneSettings;
 
-/// Of the camera, the lights, the properties that are in use, and how normals are to be
-/// computed.
+/// Checks the camera, the lights, the properties in use, and the settings for computing normals.
+/// Returns one message for each setting without effect.
 std::vector<std::string> findIdleSettings(const SceneSettings& settings);
 }
 

@@ -25,8 +25,8 @@ std::vector<Source> sourcesOf(vtkAlgorithm* filter)
   return sources;
 }
 
-/// For each connection from before the number that it has now, or -1 if it is gone. Where
-/// one source is connected several times the last of them have stayed.
+/// The new number of each previous connection, or -1 if it is gone. If one source is connected
+/// several times, the last of these connections count as the kept ones.
 std::vector<int> match(
   const std::vector<Source>& before, const std::vector<Source>& after, int removed)
 {
@@ -79,7 +79,7 @@ void InputSettings::followReplacement(vtkAlgorithm* filter, const std::function<
   change();
   const std::vector<Source> after = sourcesOf(filter);
   const std::vector<int> numbers = match(before, after, -1);
-  const bool isItsFirst = !numbers.empty() && numbers.front() == 0; // as when set up anew
+  const bool isItsFirst = !numbers.empty() && numbers.front() == 0; // as in a new set-up
   if (!isItsFirst &&
     std::any_of(numbers.begin(), numbers.end(), [](int number) { return number >= 0; }))
   {
@@ -87,7 +87,8 @@ void InputSettings::followReplacement(vtkAlgorithm* filter, const std::function<
   }
 }
 
-/// `numbers` has the new number of each connection, or -1; others move up by so many.
+/// `numbers` has the new number of each connection, or -1. Settings of numbers that are not
+/// connected move up by `fewer`.
 void InputSettings::move(const std::vector<int>& numbers, int fewer)
 {
   const auto count = static_cast<int>(numbers.size());

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief what is set for single input connections, and stays with them
+ * @brief settings of single input connections, which stay with their connections
  *
- * Settings are found by the number of a connection, and may be made before there is one
- * of that number. When a connection is removed, its settings go with it; those of others, and
- * of numbers that are not connected yet, move up. When all connections are replaced or removed
- * at once, settings stay with their numbers: the same scene, of other meshes.
+ * A setting is identified by the number of its connection, and may be made before that connection
+ * exists. When a connection is removed, so are its settings. The settings of later connections,
+ * and of numbers that are not connected yet, move up. When all connections are replaced or removed
+ * at once, settings stay with their numbers: it is the same scene with other meshes.
  */
 #ifndef InputSettings_h
 #define InputSettings_h
@@ -25,22 +25,22 @@ namespace lambent::adapters
 {
 struct InputSetting
 {
-  vtkSmartPointer<vtkProperty> Property; ///< none: that of all inputs
+  vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
 };
 
 class InputSettings
 {
 public:
-  /// By the number of the connection; only those that are set.
+  /// The settings by the number of the connection; only those that are set.
   const std::map<int, InputSetting>& all() const { return this->Settings; }
 
   vtkProperty* property(int connection) const;
   void setProperty(int connection, vtkProperty* property);
 
-  /// Run `change`, which changes the connections of port 0, and follow them. `removed` is
-  /// the connection that it removes, if that is known.
+  /// Runs `change`, which changes the connections of port 0, and makes the settings follow their
+  /// connections. `removed` is the number of the connection that it removes, if known.
   void follow(vtkAlgorithm* filter, const std::function<void()>& change, int removed = -1);
-  /// The same, unless no connection, or just the first, stays: settings then stay with their
+  /// Like follow(). But if no connection is kept, or the first one is, settings stay with their
   /// numbers.
   void followReplacement(vtkAlgorithm* filter, const std::function<void()>& change);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the shares that the inputs have of the progress of work on all of them
+ * @brief each input's share of the progress of work on all inputs
  */
 #ifndef InputShares_h
 #define InputShares_h
@@ -20,10 +20,10 @@
 
 namespace lambent::adapters
 {
-/// Below that many triangles threads work on different inputs, not on one together.
+/// Inputs with fewer triangles are small: each is processed by one thread, several at a time.
 constexpr std::size_t trianglesOfSmall = 32 * 1024;
 
-/// The loops of work that is too small to have checkpoints of its own.
+/// Parallel loops without checkpoints, for work that is too small to need them.
 class Unwatched : public Parallel
 {
 public:
@@ -38,8 +38,8 @@ private:
   const Parallel& Whole;
 };
 
-/// Shares of the work, by the numbers of triangles. There may be a hundred thousand inputs: many
-/// small ones have one checkpoint together.
+/// Divides the work by the numbers of triangles. There may be a hundred thousand inputs, so many
+/// small ones share one checkpoint.
 class InputShares
 {
 public:
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  /// That of the next input; good until the one after it is asked for.
+  /// The share of the next input; valid until the next call.
   const Parallel& next()
   {
     const std::size_t begin = this->Next == 0 ? 0 : this->Ends[this->Next - 1];
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t costOfAny = 500; ///< in triangles, roughly
+  static constexpr std::size_t costOfAny = 500; ///< the fixed cost of an input, in triangles
 
   static std::size_t corners(vtkCellArray* cells)
   {

@@ -18,8 +18,8 @@ namespace lambent::adapters
 {
 namespace
 {
-/// Calls body() and puts the input's number before the message of what it throws, which may
-/// have begun a sentence.
+/// Calls body(). If it throws, puts the number of the input before the message, whose first letter
+/// becomes lower case.
 template <typename Body>
 void forInput(std::size_t input, Body&& body)
 {
@@ -65,7 +65,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
 
 void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel& parallel)
 {
-  std::vector<std::size_t> small, large; // those whose normals are to be computed
+  std::vector<std::size_t> small, large; // the inputs that need computed normals
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
@@ -92,7 +92,7 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
   }
 }
 
-/// Each by one thread, several at a time. If some fail, the first input's error is thrown.
+/// Uses one thread for each input, several at a time. If some fail, throws the first input's error.
 void InputSurfaces::computeSmallNormals(
   const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel)
 {

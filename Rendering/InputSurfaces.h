@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief all inputs of the filter as the surfaces of one scene
+ * @brief all inputs of the ray tracer as the surfaces of one scene
  */
 #ifndef InputSurfaces_h
 #define InputSurfaces_h
@@ -20,18 +20,18 @@ namespace lambent::adapters
 class InputSurfaces
 {
 public:
-  /// Surface k is that of inputs[k] with appearances[k]. Throws std::runtime_error
-  /// with a message that names the input, as do the others.
+  /// Surface k shows inputs[k] with appearances[k]. This and the other functions throw
+  /// std::runtime_error with a message that names the input.
   InputSurfaces(const std::vector<vtkPolyData*>& inputs, const std::vector<Appearance>& appearances,
     const Parallel& parallel);
 
-  /// Give those that are shaded smooth normals: the inputs' own where they have some and
-  /// these are wanted, computed ones otherwise.
+  /// Gives normals to the surfaces with smooth shading: the input's own if it has some and useOwn
+  /// is true, otherwise computed ones.
   void addNormals(bool useOwn, double featureAngle, const Parallel& parallel);
-  /// Whether it has computed some.
+  /// Whether addNormals() has computed any.
   bool hasComputedNormals() const { return this->HasComputedNormals; }
 
-  /// Give each surface its arrays, in this order. All inputs that have an array must have the same
+  /// Gives each surface its arrays, in this order. All inputs that have an array must have the same
   /// number of components.
   void addAttributes(const std::vector<SceneSettings::PassArray>& arrays);
   /// An array of the picture for one of them: its components, and whether its numbers are doubles.
@@ -42,7 +42,7 @@ public:
   };
   ArrayForm formOf(std::size_t attribute) const;
 
-  /// Which input and cell a triangle, counted over all inputs, belongs to.
+  /// The input and the cell that a triangle belongs to; triangles are counted over all inputs.
   struct Place
   {
     std::size_t input;
@@ -52,7 +52,7 @@ public:
 
   std::vector<Surface> surfaces() const;
 
-  /// The message about a corner that names a point that does not exist.
+  /// The message about a corner that names a missing point.
   std::string describeWrongCorner(const MeshDefects& defects) const;
   /// The message about cells with points that are not finite.
   std::string describeNotFinite(const MeshDefects& defects) const;
@@ -63,7 +63,7 @@ private:
 
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
-  std::vector<std::size_t> FirstTriangles; ///< of each, counted over all
+  std::vector<std::size_t> FirstTriangles; ///< of each input, counted over all inputs
   bool HasComputedNormals = false;
 };
 }

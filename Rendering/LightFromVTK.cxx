@@ -13,7 +13,7 @@ namespace lambent::adapters
 {
 namespace
 {
-/// An affine map, applied by our own sums, in one order.
+/// Applies an affine map, with sums in our own fixed order.
 Vec3 transformed(vtkMatrix4x4* matrix, const Vec3& p)
 {
   if (!matrix)
@@ -29,8 +29,8 @@ Vec3 transformed(vtkMatrix4x4* matrix, const Vec3& p)
   return { row(0), row(1), row(2) };
 }
 
-/// A point of the space that camera lights live in: the camera stands at (0, 0, 1)
-/// and looks at the origin, y is up, and the unit is the focal distance.
+/// Converts a point from the space of camera lights: the camera is at (0, 0, 1) and looks at the
+/// origin, y is up, and the unit is the focal distance.
 Vec3 fromCameraSpace(const Vec3& p, const Camera& camera)
 {
   const Vec3 view = camera.focalPoint - camera.position;

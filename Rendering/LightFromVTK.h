@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief VTK's lights as the core's
+ * @brief a vtkLight as a light of the core
  *
- * Only plain settings are read, never the matrices that VTK computes from them:
- * those differ in their last bits between platforms.
+ * Reads only plain settings, never the matrices that VTK computes from them: their last bits
+ * differ between platforms.
  */
 #ifndef LightFromVTK_h
 #define LightFromVTK_h
@@ -18,10 +18,11 @@ class vtkLight;
 
 namespace lambent::adapters
 {
-/// A light as seen with a camera. Headlights and camera lights move with it.
+/// The light in the scene that a camera shows. Headlights and camera lights move with the camera.
 Light lightFromVTK(vtkLight* light, const Camera& camera);
 
-/// What is wrong with a light, and the remedy, to follow its name; empty if nothing.
+/// What is wrong with a light, and the remedy; the message goes after its name. Empty if nothing is
+/// wrong.
 std::string describeDefect(const Light& light);
 
 /// The white headlight of a scene without lights.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief warnings about settings, each given once and not every time a filter executes
+ * @brief warnings about settings, given once and not each time that a filter executes
  */
 #ifndef NewMessages_h
 #define NewMessages_h
@@ -17,7 +17,7 @@ namespace lambent::adapters
 class NewMessages
 {
 public:
-  /// Those that did not hold the last time; all of them are remembered until the next.
+  /// Returns the messages that the previous call did not have, and remembers all of them.
   std::vector<std::string> update(std::vector<std::string> messages)
   {
     std::vector<std::string> fresh;

@@ -19,7 +19,7 @@ namespace lambent::adapters
 {
 namespace
 {
-/// How much of the work is done when there are surfaces, and when their bounds are known.
+/// The fraction of the work that is done when the surfaces exist, and when their bounds are known.
 constexpr double surfacesShare = 0.2;
 constexpr double boundsShare = 1.0 - SceneFromSettings::normalsShare;
 }

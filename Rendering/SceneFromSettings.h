@@ -15,12 +15,12 @@ namespace lambent::adapters
 class SceneFromSettings
 {
 public:
-  /// How much of the work is to compute normals, where some are needed, roughly.
+  /// Roughly the share of the work that computing normals takes, if some are needed.
   static constexpr double normalsShare = 0.7;
 
-  /// Surfaces, camera, lights and background. The settings and their inputs must outlive this
-  /// object. Throws std::runtime_error with a message for the user, and what the checkpoints of
-  /// parallel throw.
+  /// Creates surfaces, camera, lights and background. The settings and their inputs must outlive
+  /// this object. Throws std::runtime_error with a message for the user, and whatever the
+  /// checkpoints of `parallel` throw.
   SceneFromSettings(const SceneSettings& settings, const Parallel& parallel);
 
   const Scene& scene() const { return this->Description; }

@@ -4,10 +4,10 @@
  * @file
  * @brief polydata as a surface of the core's scene
  *
- * Float and double points, normals and triangles are used where they are. Other
- * number types and memory layouts are converted, and polygons and strips cut into
- * triangles, into memory that the SurfaceFromVTK owns. Computed normals come from the same
- * spans: nothing is converted or merged twice.
+ * Points and normals of float or double, and triangles, are used in place. Other number types and
+ * memory layouts are converted, and polygons and strips divided into triangles, in memory that the
+ * SurfaceFromVTK owns. Computed normals use the same spans, so nothing is converted or merged
+ * twice.
  */
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
@@ -31,21 +31,21 @@ namespace lambent::adapters
 class SurfaceFromVTK
 {
 public:
-  /// The polydata must outlive this object. Throws std::runtime_error, as do the
-  /// others, with a message for the user.
+  /// The polydata must outlive this object. This and the other functions throw std::runtime_error
+  /// with a message for the user.
   SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel);
 
   const Surface& surface() const { return this->Result; }
 
-  /// Normals for smooth shading, one for each point; they must outlive this object.
+  /// Sets the normals for smooth shading, one for each point. They must outlive this object.
   void setPointNormals(vtkDataArray* normals);
-  /// Computes them, one for each corner (CornerNormals.h).
+  /// Computes normals, one for each corner (CornerNormals.h).
   void computeNormals(double featureAngle, const Parallel& parallel);
 
   /// Adds the array of that name, or, if the polydata has none, an empty attribute.
   void addAttribute(const SceneSettings::PassArray& array);
 
-  /// What is wrong with a cell that names a point that does not exist.
+  /// What is wrong with a cell that names a missing point, and the remedy.
   std::string describeWrongCell(std::int64_t cell) const;
 
 private:
@@ -56,10 +56,10 @@ private:
 
   vtkPolyData* Input;
   CellSpan Polygons, Strips;
-  MergedFaces Merged; ///< of both, until normals are computed; empty where there are no strips
+  MergedFaces Merged; ///< polygons and strips, until normals are computed; empty without strips
   Surface Result;
   TriangleList Triangles;
-  CornerNormals Normals;                       ///< where they are computed
+  CornerNormals Normals;                       ///< if they are computed
   UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief three doubles of VTK's as a vector
+ * @brief three doubles of VTK as a vector
  */
 #ifndef Vec3FromVTK_h
 #define Vec3FromVTK_h

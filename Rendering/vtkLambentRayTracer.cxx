@@ -138,7 +138,7 @@ vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
   return this->Internal->Inputs.property(connection);
 }
 
-// What is set for a connection stays with it.
+// The settings of a connection stay with it.
 void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
 {
   this->Internal->Inputs.followReplacement(
@@ -194,7 +194,7 @@ int vtkLambentRayTracer::FillInputPortInformation(int, vtkInformation* info)
 int vtkLambentRayTracer::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Whatever part of the image is wanted, all of the scene may be seen in it.
+  // Whichever part of the image is requested, all of the scene may be visible in it.
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* inInfo = inputs[0]->GetInformationObject(i);

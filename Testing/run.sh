@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and runs all tests:
+# Installs missing packages, builds, and runs all tests:
 #   sh Testing/run.sh [options of ctest]
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)

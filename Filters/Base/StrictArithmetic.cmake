@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# All that is built in this directory and below computes in IEEE binary64 as it is written, whatever
-# flags the user's environment or a parent project brings: options of the directory come after
-# CMAKE_CXX_FLAGS, those of the build type, and the parent's. SHELL keeps CMake from dropping one
-# that it has seen before on the line. Testing/Build tries it.
+# Everything built in this directory and below computes in IEEE binary64 as written, whatever flags
+# the user's environment or a parent project adds: directory options come after CMAKE_CXX_FLAGS,
+# those of the build type, and the parent's. SHELL prevents CMake from dropping an option that is
+# already on the command line. Testing/Build tests this.
 if (MSVC)
   add_compile_options(/fp:precise)
 else ()

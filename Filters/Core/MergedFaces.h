@@ -34,7 +34,7 @@ struct MergedFaces
   }
 };
 
-/// The offsets of both must not be broken. Also where there are no strips.
+/// The offsets of both must not be broken. There may be no strips.
 MergedFaces mergeFaces(const CellSpan& polygons, const CellSpan& strips, const Parallel& parallel);
 }
 

@@ -1,17 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Libraries that read further kinds of files. Without one the command is built all the same, and
-# `lambent --formats` tells what it lacks.
+# Libraries that read further kinds of files. The command is built without the missing ones, and
+# `lambent --formats` lists what it cannot read.
 find_package(assimp 5 QUIET)
 include(CheckLanguage)
-check_language(C) # VTK's search for HDF5, which Exodus files are made of, compiles some
+check_language(C) # VTK's search for HDF5, the base of Exodus files, compiles C
 if (CMAKE_C_COMPILER)
   enable_language(C)
   find_package(VTK "${VTK_VERSION}" EXACT QUIET OPTIONAL_COMPONENTS IOExodus)
 endif ()
 
-# VTK's targets are there even where what they link is not: ask which components were found.
+# VTK's targets exist even if libraries that they link are missing, so check which components were
+# found.
 set(lacking)
 foreach (triple IN ITEMS
     "ASSIMP assimp_FOUND assimp::assimp"

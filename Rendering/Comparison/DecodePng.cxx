@@ -62,7 +62,7 @@ void checkChunks(std::string_view bytes)
   {
     if (bytes.size() < 12 || bigEndian(bytes) > bytes.size() - 12)
     {
-      throw std::runtime_error("the file is cut short");
+      throw std::runtime_error("it is not a complete PNG file");
     }
     const std::size_t length = bigEndian(bytes);
     if (checkSum(bytes.substr(4, 4 + length)) != bigEndian(bytes.substr(8 + length)))
@@ -89,7 +89,7 @@ struct Decoder
     if (!info)
     {
       png_destroy_read_struct(&png, nullptr, nullptr);
-      throw std::runtime_error("there is no memory to read the file");
+      throw std::runtime_error("there is not enough memory to read the file");
     }
   }
   ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }

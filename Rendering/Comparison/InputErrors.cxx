@@ -45,7 +45,7 @@ std::string findInputError(vtkAlgorithm* comparison)
     const std::string error = findError(comparison, port, seen);
     if (!error.empty())
     {
-      return std::string(roles[port]) + " could not be made: " + error;
+      return std::string(roles[port]) + " could not be produced: " + error;
     }
   }
   return "";

@@ -16,7 +16,7 @@
 class vtkAlgorithm;
 
 /// A message for the first error code that is set anywhere upstream of picture or baseline, such as
-/// "The baseline could not be made: vtkJPEGReader reports: FileNotFoundError". Empty if none is
+/// "The baseline could not be produced: vtkJPEGReader reports: FileNotFoundError". Empty if none is
 /// set.
 std::string findInputError(vtkAlgorithm* comparison);
 

@@ -47,16 +47,16 @@ function (_lambent_check_image_test)
     message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) does not know ${arg_UNPARSED_ARGUMENTS}.")
   endif ()
   if (arg_INPUT AND (arg_PICTURE OR arg_COMMAND OR arg_WORKING_DIRECTORY))
-    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): INPUT is drawn by lambent itself; leave "
-      "out PICTURE, COMMAND and WORKING_DIRECTORY, or INPUT.")
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): the command lambent renders INPUT. "
+      "Omit INPUT, or omit PICTURE, COMMAND and WORKING_DIRECTORY.")
   endif ()
   if (NOT arg_INPUT AND (NOT arg_PICTURE OR arg_ARGS))
-    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) needs INPUT, which ARGS are about, or "
-      "PICTURE.")
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) needs INPUT or PICTURE. ARGS "
+      "need INPUT.")
   endif ()
   if (NOT TARGET Lambent::Command)
-    message(FATAL_ERROR "lambent_add_image_test() needs the command lambent, which this Lambent was "
-      "built without; it takes CLI11 and LAMBENT_BUILD_EXAMPLES.")
+    message(FATAL_ERROR "lambent_add_image_test() needs the command lambent, but Lambent was built "
+      "without it. Build it with CLI11 and LAMBENT_BUILD_EXAMPLES.")
   endif ()
 endfunction ()
 
@@ -93,7 +93,7 @@ function (_lambent_check_not_baseline picture)
     endforeach ()
   endif ()
   if (picture STREQUAL baseline)
-    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): PICTURE and BASELINE are one file, "
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): PICTURE and BASELINE are the same file, "
       "${baseline}, and would always be equal. Name two files.")
   endif ()
 endfunction ()
@@ -104,7 +104,7 @@ function (_lambent_add_update_target)
       COMMAND "${CMAKE_COMMAND}" -E env LAMBENT_UPDATE_BASELINES=1
         "${CMAKE_CTEST_COMMAND}" --test-dir "${CMAKE_BINARY_DIR}" -C "$<CONFIG>"
           -L "^lambent-image$" --output-on-failure
-      COMMENT "Accepting what the image tests draw as their baselines"
+      COMMENT "Accepting the pictures of the image tests as their baselines"
       USES_TERMINAL VERBATIM)
   endif ()
 endfunction ()

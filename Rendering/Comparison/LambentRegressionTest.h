@@ -194,8 +194,8 @@ inline int fail(vtkImageData* picture, vtkLambentImageComparison* comparison,
   if (lambentFiles::isSameFile(fs::absolute(folder.empty() ? "." : folder, error).string(),
         fs::absolute(baseline, error).parent_path().string()))
   {
-    std::cout << "The picture is not written, since the folder of -T is that of the baselines; "
-              << "give another one.\n";
+    std::cout << "The picture is not written, since -T names the folder of the baselines; "
+              << "choose another one.\n";
   }
   else
   {
@@ -282,7 +282,7 @@ inline int lambentRegressionTest(
   // If an input fails, the output keeps its old contents.
   if (!algorithm->GetExecutive()->Update(0))
   {
-    std::cout << algorithm->GetClassName() << " could not be updated; see what VTK printed.\n";
+    std::cout << algorithm->GetClassName() << " could not be updated; see VTK's output.\n";
     return LambentFailed;
   }
   vtkImageData* picture = vtkImageData::SafeDownCast(algorithm->GetOutputDataObject(0));

@@ -75,7 +75,7 @@ std::string findMismatch(vtkImageData* picture, vtkImageData* baseline)
   }
   if (picture->GetDimensions()[2] != 1)
   {
-    return "the images are " + a + "; only a single slice is a picture";
+    return "the images are " + a + "; a picture has a single slice";
   }
   return "";
 }
@@ -116,8 +116,8 @@ void vtkLambentImageComparison::SetTolerance(double tolerance)
 {
   if (!(tolerance >= 0.0) || std::isinf(tolerance))
   {
-    vtkErrorMacro("SetTolerance() was given "
-      << tolerance << "; it takes a finite number that is not negative.");
+    vtkErrorMacro("SetTolerance() was called with "
+      << tolerance << "; the tolerance must be finite and not negative.");
     return;
   }
   if (this->Tolerance != tolerance)

@@ -52,9 +52,9 @@ std::string contentOf(const char* path)
   }
   if (std::ferror(file.get()))
   {
-    throw std::runtime_error("it cannot be read to its end");
+    throw std::runtime_error("it cannot be read completely");
   }
-  return content.empty() ? throw std::runtime_error("it is empty; get a whole copy of it")
+  return content.empty() ? throw std::runtime_error("it is empty, so it is not a PNG file")
                          : content;
 }
 
@@ -130,7 +130,7 @@ void vtkLambentPNGReader::ReadFile()
   {
     if (!this->FileName || !*this->FileName)
     {
-      throw std::runtime_error("there is no name of a file; call SetFileName()");
+      throw std::runtime_error("there is no file name; call SetFileName()");
     }
     PngPicture picture = decodePng(contentOf(this->FileName));
     this->Texts = std::move(picture.texts);

@@ -61,7 +61,8 @@ public:
    */
   bool Read();
 
-  /// What is wrong with the file last read, such as "the file is cut short"; empty if it is valid.
+  /// What is wrong with the file last read, such as "it is not a complete PNG file"; empty if it is
+  /// valid.
   const char* GetMessage() const { return this->Message.c_str(); }
 
   /// The text for a key in the file last read (tEXt, zTXt and iTXt chunks), or nullptr.

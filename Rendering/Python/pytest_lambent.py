@@ -19,15 +19,14 @@ running = None  # the PictureRun whose test is running
 
 
 def pytest_addoption(parser):
-    group = parser.getgroup("lambent", "pictures as tests (lambent.testing)")
+    group = parser.getgroup("lambent", "image tests (lambent.testing)")
     group.addoption("--lambent-update", action="store_true",
                     help="accept the pictures that differ from their baselines or have none yet")
     group.addoption("--lambent-baselines", metavar="DIR",
-                    help="the folder of all baselines; without it they are in 'baselines' beside"
-                    " each test's file")
+                    help="the folder of all baselines (default: 'baselines' beside each test's file)")
     group.addoption("--lambent-report", metavar="FILE",
-                    help="write a report of the pictures, HTML, complete in one file")
-    parser.addini("lambent_baselines", "as --lambent-baselines, relative to the ini-file")
+                    help="write a report of the pictures as a single HTML file")
+    parser.addini("lambent_baselines", "like --lambent-baselines, relative to the ini-file")
 
 
 def pytest_configure(config):
@@ -175,7 +174,7 @@ class PictureRun:
                 if role in result:
                     write("  %-11s %s" % (role + ":", result[role]))
         if any("accept" in result for result in failed):
-            write("Those that are right: %s to accept them." % self.how_to_accept)
+            write("If these pictures are right, %s to accept them." % self.how_to_accept)
         accepted = self._of("accepted")
         if accepted:
             terminalreporter.write_sep("=", "baselines written")

@@ -4,10 +4,10 @@
 
     python3 instructions.py PROGRAM [--update]
 
-A count does not depend on what else the machine does, so it shows a regression where a clock
-does not. It does depend on the compiler, whose version is kept beside the counts. The
-instruction set is pinned to those that valgrind knows. Exit status 1: a count has changed by
-more than the tolerance.
+A count does not depend on other work of the machine, so it shows regressions that a clock does not.
+It does depend on the compiler, whose version is stored with the counts. The instruction set is
+limited to those that valgrind supports. Exit status 1: a count has changed by more than the
+tolerance.
 """
 
 import json

@@ -177,7 +177,7 @@ def further_table(scenes, tally):
 
 
 def agreement(scenes):
-    """A sentence on whether all peers render the same picture, and which do not."""
+    """A sentence on whether all peers render the same picture; names those that do not."""
     far = [
         f"{scene.name}, {peer}: {100 * part:.2f} %"
         for scene in scenes

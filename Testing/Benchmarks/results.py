@@ -84,7 +84,7 @@ class Scene:
         return min(known.items(), key=lambda item: item[1]) if known else (None, None)
 
     def fastest_trace(self):
-        """The fastest of all traces, whatever the cost of its tree, and which it was."""
+        """The fastest of all traces, whatever the cost of its tree, and its name."""
         found = []
         for quality in QUALITIES:
             grouping, trace = self.best_trace(quality)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The scaling curves: time over triangles and over pixels, on one thread and on two.
 
-    python3 scaling.py scaling.json scaling.svg    draws again what was measured
+    python3 scaling.py scaling.json scaling.svg    draws the measurements again
 """
 
 import json

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Run the benchmarks, scene by scene, and report. Called by run.sh.
 
-Each scene is a process of its own, in which all peers take turns; each figure of memory too.
-Results go to BUILD/results: Google Benchmark's JSON of each scene, report.md, and of the
-scaling curves scaling.json and scaling.svg.
+Each scene runs in a separate process, in which all peers take turns; so does each measurement of
+memory. Results go to BUILD/results: Google Benchmark's JSON of each scene, report.md, and the
+scaling curves, scaling.json and scaling.svg.
 """
 
 import argparse
@@ -35,9 +35,9 @@ HARD_SCENES = [
     "dragon-uhd",
 ]
 
-SURFACE_SCENES = ["spheres", "facets"]  # of many surfaces
+SURFACE_SCENES = ["spheres", "facets"]  # scenes with many surfaces
 
-# The contests that matter for the goals, without those that have never won in a full run.
+# The contests that matter for the goals, without those that have never been the fastest.
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"

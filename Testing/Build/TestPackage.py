@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""find_package(Lambent) and lambent_add_image_test() as a project of their own meets them.
+"""find_package(Lambent) and lambent_add_image_test() in a separate project.
 
     TestPackage.py FOLDER CMAKE CTEST OPTION...
 """
@@ -42,7 +42,7 @@ class PackageTest(unittest.TestCase):
             file.write(text)
 
     def configure(self, text):
-        """The status, and what CMake says in words without line ends."""
+        """The exit status, and CMake's output as words without line ends."""
         self.write("CMakeLists.txt", text)
         status, said = run(CMAKE, "-S", SOURCE, "-B", BUILD, *OPTIONS)
         return status, re.sub(r"\s+", " ", said)
@@ -135,10 +135,10 @@ class TestImageTests(PackageTest):
                                   ("x.png", "${CMAKE_CURRENT_BINARY_DIR}/./x.png"),
                                   (FOLDER + "/link/x.png", "../source/x.png")):
             self.fail_with(PROJECT + 'lambent_add_image_test(NAME Self PICTURE "%s" BASELINE "%s")\n'
-                           % (picture, baseline), "PICTURE and BASELINE are one file")
+                           % (picture, baseline), "PICTURE and BASELINE are the same file")
 
     def test_a_baseline_that_is_what_is_drawn_fails(self):
-        """Found when the test runs: a link that was made later, and the picture of INPUT."""
+        """Detected when the test runs: a link created later, and the picture of INPUT."""
         self.succeed(PROJECT + """
             lambent_add_image_test(NAME Link PICTURE x.png BASELINE y.png)
             lambent_add_image_test(NAME Own INPUT square.obj ARGS --size 8x8

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Examples/RegressionTest as its user lives with it: its pictures pass; a bug in its filter makes the right
-test fail, with a page that shows it; a baseline that is missing is asked for, and made.
+"""Examples/RegressionTest as a user's project: its pictures pass; a bug in its filter makes the right test
+fail, with a page that shows it; a missing baseline is reported, and created on request.
 
     TestRegressionExample.py SOURCE FOLDER CMAKE CTEST OPTION...
 
-builds a copy of SOURCE in FOLDER with the options of CMake.
+Builds a copy of SOURCE in FOLDER with the options of CMake.
 """
 
 import os
@@ -26,7 +26,7 @@ MESHES = {"Spikes.Mesh", "Hollows.Mesh", "Twice.Draw"}
 
 
 def run(*command, **keywords):
-    """The output, after success."""
+    """The output of a command that must succeed."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **keywords)
     text = done.stdout.decode()
     if done.returncode != 0:
@@ -40,7 +40,7 @@ def build(*options):
 
 
 def test():
-    """The outputs of the tests that passed, and of those that failed, by name."""
+    """The outputs of the passed tests and of the failed tests, by name."""
     results = os.path.join(BUILD, "results.xml")
     subprocess.run([CTEST, "--test-dir", BUILD, "--output-junit", results, "--parallel", "2"],
                    stdout=subprocess.DEVNULL, check=False)
@@ -52,7 +52,7 @@ def test():
 
 
 def sections():
-    """What the page says of each test: passed or failed, and the HTML."""
+    """The page's section of each test: passed or failed, and the HTML."""
     with open(REPORT, encoding="utf-8") as file:
         page = file.read()
     return {name: (state, body) for state, name, body in re.findall(
@@ -83,7 +83,7 @@ class RegressionExample(unittest.TestCase):
         self.assertEqual(set(passed), (PICTURES | MESHES) - {"Hollows"})
         self.assertRegex(failed["Hollows"], r"\A\d+ of 16384 pixels differ, by at most \d+ of 255;")
         self.assertRegex(failed["Hollows"], r"the changed pixels show cells .* of '.*Hollows\.vtp'")
-        self.assertNotIn("DartMeasurementFile", failed["Hollows"])  # CTest has taken them for CDash
+        self.assertNotIn("DartMeasurementFile", failed["Hollows"])  # CTest collects them for CDash
         state, body = sections()["Hollows"]
         self.assertEqual(state, "failed")
         self.assertEqual(body.count('src="data:image/png;base64,'), 3)

@@ -35,7 +35,7 @@ using namespace lambent::command;
 namespace
 {
 
-/// A mesh that was read can be drawn as well.
+/// The values of a mesh, which must also be possible to render.
 std::vector<double> ValuesOf(vtkPolyData* mesh)
 {
   vtkNew<vtkLambentRayTracer> tracer;
@@ -103,7 +103,7 @@ Content Read(const Scratch& scratch, const std::string& bytes)
 {
   scratch.write(bytes);
 #if LAMBENT_ADDRESS_SANITIZER
-  // VTK 9.1's reader of grids loses its arrays where a file is broken.
+  // VTK 9.1's reader of grids leaks its arrays if a file is broken.
   const __lsan::ScopedDisabler isTolerated;
 #endif
   VtkMessages messages(true);

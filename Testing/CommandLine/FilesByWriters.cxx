@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole files that VTK's writers make, and PLY, whose writer is in a module of its own.
+// Complete files from VTK's writers. The writer of PLY is in a separate module.
 
 #include "BrokenFiles.h"
 
@@ -29,7 +29,7 @@
 namespace
 {
 
-/// Two triangles of points whose numbers have two digits: half of such a number is another.
+/// Two triangles with two-digit point ids, since half of such a number is another number.
 const vtkIdType Triangles[2][3] = { { 10, 11, 12 }, { 10, 12, 13 } };
 const int PointCount = 14;
 
@@ -154,7 +154,7 @@ void Append(std::string& bytes, Value value, const std::string& format)
   bytes += raw;
 }
 
-/// Cells of any order, whose nodes VTK's reader sorts before version 5.1, and a polyhedron.
+/// Cells of any order (before version 5.1, VTK's reader reorders their nodes), and a polyhedron.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(int type, const std::vector<vtkIdType>& ids)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -198,7 +198,7 @@ void AddSolids(std::vector<File>& files)
     "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4 3\n0\n1\n2\n" });
 }
 
-/// vtkPLYWriter is in a module of its own.
+/// vtkPLYWriter is in a separate module.
 File Ply(const std::string& format)
 {
   const std::string lineEnd = format == "ascii" ? "\n" : "";

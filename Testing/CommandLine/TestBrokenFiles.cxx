@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of every kind that the command reads, cut behind each of their bytes, and with bits of
-// them turned: all that was in the file, or one line that says why not. Never a crash, and never
-// less than there was without a word. TestReading.py does a part of this with the command itself.
+// Files of every kind that the command reads, cut after each byte, and with flipped bits. The
+// result must be everything in the file, or one line with the reason; never a crash, and never a
+// part without a message. TestReading.py repeats some of this with the command itself.
 
 #include "BrokenFiles.h"
 
@@ -18,14 +18,14 @@ bool IsText(const File& file)
   return file.bytes.find('\0') == std::string::npos;
 }
 
-/// Cut behind all of its points, a file may be a whole one of points alone.
+/// A file that is cut after all of its points can be a complete file without polygons.
 bool HasLostAllPolygons(const Content& cut)
 {
   return cut.values.empty() && cut.warnings.find("and no polygons") != std::string::npos;
 }
 
-/// Whether a cut may pass without a word. An OBJ file does not tell how much there should be. A
-/// text need not end its last line: half of the number at its end is another number.
+/// Whether a cut file may be read without a message. An OBJ file has no counts. In text, the last
+/// line need not end, and half of the number at its end is another number.
 bool MayPass(const File& file, std::size_t size)
 {
   const std::size_t end = file.bytes.find_last_not_of(" \n");
@@ -41,7 +41,7 @@ void ExpectOneLine(const std::string& failure, const Scratch& scratch)
 
 } // namespace
 
-TEST(BrokenFiles, CutBehindEachByte)
+TEST(BrokenFiles, CutAfterEachByte)
 {
   for (const File& file : MakeFiles())
   {
@@ -71,7 +71,7 @@ TEST(BrokenFiles, CutBehindEachByte)
 namespace
 {
 
-/// Reads the file with that bit turned; false if it fails.
+/// Reads the file with one bit flipped; returns false if that fails.
 bool ReadsWithBitTurned(const File& file, const Scratch& scratch, std::size_t bit)
 {
   std::string bytes = file.bytes;
@@ -86,7 +86,7 @@ bool ReadsWithBitTurned(const File& file, const Scratch& scratch, std::size_t bi
 
 } // namespace
 
-TEST(BrokenFiles, WithABitTurned)
+TEST(BrokenFiles, WithAFlippedBit)
 {
   for (const File& file : MakeFiles())
   {
@@ -94,7 +94,7 @@ TEST(BrokenFiles, WithABitTurned)
     const Scratch scratch(file.extension);
     std::size_t failures = 0;
     const std::size_t bits = 8 * file.bytes.size();
-    const std::size_t step = bits > 8000 ? 31 : 7; // all of them would take minutes
+    const std::size_t step = bits > 8000 ? 31 : 7; // trying all would take minutes
     for (std::size_t bit = 0; bit < bits; bit += step)
     {
       failures += !ReadsWithBitTurned(file, scratch, bit);
@@ -103,8 +103,8 @@ TEST(BrokenFiles, WithABitTurned)
   }
 }
 
-// Three numbers of 32 bits, and one for the only block, stand in front of compressed data.
-TEST(BrokenFiles, WithABitOfTheSizesTurned)
+// Compressed data starts with three 32-bit numbers, and one for the only block.
+TEST(BrokenFiles, WithAFlippedBitInTheSizes)
 {
   const std::string start = "<AppendedData encoding=\"raw\">\n   _";
   int files = 0;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The files in the folder Formats that stand alone, cut short and with bits of them turned. Most of
-// their readers crash on some of these; what the command makes of it is one line. TestFormats.py
-// reads the whole files, and breaks those that have parts.
+// The single-file formats in the folder Formats, cut short and with flipped bits. Most of their
+// readers crash on some of these; the command turns that into one line. TestFormats.py reads the
+// whole files, and breaks those that have several parts.
 
 #include "BrokenFiles.h"
 
@@ -25,7 +25,7 @@ using namespace lambent::command;
 namespace
 {
 
-/// Those that this build can read.
+/// The files that this build can read.
 std::vector<File> MakeFormats()
 {
   std::vector<File> files;
@@ -43,7 +43,7 @@ std::vector<File> MakeFormats()
   return files;
 }
 
-/// Read in this process by a reader of Lambent's, which takes little time.
+/// Whether one of Lambent's own readers reads the file, in this process, which takes little time.
 bool IsFast(const std::string& path)
 {
   const Format& format = *FindFormat(path);
@@ -59,7 +59,7 @@ Content ReadFormat(const Scratch& scratch, const std::string& bytes)
   try
   {
     Progress progress(false);
-    const auto contour = // their files have no arrays
+    const auto contour = // the files of fast readers have no arrays
       IsFast(scratch.path) ? std::nullopt : std::optional(ContourValue{ 0.75, "x" });
     const auto mesh = ReadSurface(scratch.path, messages, progress, contour);
     for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
@@ -70,7 +70,7 @@ Content ReadFormat(const Scratch& scratch, const std::string& bytes)
     content.values.push_back(static_cast<double>(mesh->GetNumberOfPolys()));
     for (const std::string& warning : messages.TakeWarnings())
     {
-      if (warning.find("--contour") == std::string::npos) // of polygons
+      if (warning.find("--contour") == std::string::npos) // polygons cause this warning
       {
         content.warnings += warning;
       }
@@ -85,15 +85,16 @@ Content ReadFormat(const Scratch& scratch, const std::string& bytes)
   return content;
 }
 
-/// Every cut near the end, where little is missing, and some before; all of fast files.
+/// Tries every cut near the end, where little is missing, and some before. For fast readers, tries
+/// all cuts.
 bool IsTried(const File& file, std::size_t size)
 {
   return IsFast(file.name) || size + 20 > file.bytes.size() ||
     size % (1 + file.bytes.size() / 50) == 0;
 }
 
-/// A text need not end its last line: half of the number at its end is another number. A file of
-/// Abaqus may end behind every line of its elements.
+/// In text, the last line need not end, and half of the number at its end is another number. An
+/// Abaqus file may end after any line of its elements.
 bool MayEndThere(const File& file, std::size_t size)
 {
   return (file.extension == ".off" && size > file.bytes.find_last_of(' ')) ||
@@ -126,7 +127,7 @@ TEST(BrokenFormats, CutShort)
   }
 }
 
-TEST(BrokenFormats, WithABitTurned)
+TEST(BrokenFormats, WithAFlippedBit)
 {
   for (const File& file : MakeFormats())
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of the types 21 to 36 and 60 to 81 in VTK's files: their surface has the area that the
-// shape has, in as many polygons as there are between the nodes.
+// Cells of the types 21 to 36 and 60 to 81 in VTK's files: their surface has the area of the shape,
+// and as many polygons as there are between the nodes.
 
 #include "BrokenFiles.h"
 
@@ -36,24 +36,24 @@ using namespace lambent::command;
 namespace
 {
 
-/// A cell of a type, and what is expected of it.
+/// A cell of some type, and the expected result.
 struct Case
 {
   int type;
   vtkIdType nodes;
   vtkIdType polygons;
   double area;
-  int linear = VTK_EMPTY_CELL; ///< for which the corners stand, where VTK has no nodes for the type
+  int linear = VTK_EMPTY_CELL; ///< the type whose corners are used if VTK has no nodes for `type`
 };
 
 const double Root2 = std::sqrt(2.0);
 const double Hexagon = 1.5 * std::sqrt(3.0);
 const double Tetrahedron = 1.5 + 0.5 * std::sqrt(3.0);
 const double Wedge = 3.0 + Root2;
-const double Pyramid = 2.0 + Root2; // with its apex above a corner, as VTK's parameters have it
+const double Pyramid = 2.0 + Root2; // its apex is above a corner, as in VTK's parameters
 
-// Cells with nodes between their corners are triangulated by VTK up to type 37, and are split
-// along their nodes from type 68 on.
+// Cells with nodes between their corners: VTK triangulates types up to 37, and types from 68 on are
+// divided along their nodes.
 const Case Cases[] = {
   { VTK_QUADRATIC_EDGE, 3, 0, 0.0 },
   { VTK_QUADRATIC_TRIANGLE, 6, 4, 0.5 },
@@ -116,7 +116,8 @@ vtkSmartPointer<vtkUnstructuredGrid> OneCell(int type, vtkPoints* points)
   return grid;
 }
 
-/// The nodes where VTK's class for the type has them; or else the corners, and all others far off.
+/// The nodes of VTK's class for the type. If it has none: the corners, with all other nodes far
+/// away.
 vtkSmartPointer<vtkPoints> Nodes(const Case& one)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
@@ -171,7 +172,7 @@ vtkSmartPointer<vtkPolyData> ReadBack(const Scratch& scratch)
   return mesh;
 }
 
-/// Through a file of each kind.
+/// Writes the grid to a file of each kind and reads it.
 template <typename Expect>
 void ForEachFile(vtkUnstructuredGrid* grid, const Expect& expect)
 {
@@ -214,8 +215,8 @@ TEST(CellTypes, HaveTheAreaOfTheirShape)
   }
 }
 
-// They are no surface, and do not keep others in the file from being drawn.
-TEST(CellTypes, LinesBesideATriangle)
+// Lines are not a surface, and the other cells of the file are still drawn.
+TEST(CellTypes, LinesAndATriangle)
 {
   for (const Case& one : Cases)
   {
@@ -231,7 +232,7 @@ TEST(CellTypes, LinesBesideATriangle)
   }
 }
 
-// Corners, and then a node between each and the next.
+// The corners, then a node between each corner and the next.
 TEST(CellTypes, PolygonsWithNodesBetweenTheirCorners)
 {
   vtkNew<vtkPoints> points;
@@ -249,7 +250,7 @@ TEST(CellTypes, PolygonsWithNodesBetweenTheirCorners)
   }
 }
 
-// A node off the plane of the corners is drawn: the surface is not that of the corners alone.
+// A node outside the corners' plane changes the surface: it has more than the corners.
 TEST(CellTypes, SurfacesFollowTheNodes)
 {
   auto points = Nodes({ VTK_LAGRANGE_QUADRILATERAL, 9, 4, 1.0 });
@@ -263,7 +264,7 @@ TEST(CellTypes, SurfacesFollowTheNodes)
     });
 }
 
-// 2 steps one way and 3 the other, as an array of the cells says.
+// An array of the cells declares 2 steps in one direction and 3 in the other.
 TEST(CellTypes, OrdersThatDifferByDirection)
 {
   constexpr int orders[] = { 2, 3, 1 };
@@ -282,7 +283,7 @@ TEST(CellTypes, OrdersThatDifferByDirection)
   degrees->SetName("HigherOrderDegrees");
   degrees->SetNumberOfComponents(3);
   degrees->InsertNextTuple3(2, 3, 0);
-  grid->GetCellData()->AddArray(degrees); // as an attribute, VTK 9.1 leaves it out of .vtk files
+  grid->GetCellData()->AddArray(degrees); // VTK 9.1 does not write it to .vtk files as an attribute
   ForEachFile(grid,
     [](vtkPolyData* mesh)
     {
@@ -291,12 +292,12 @@ TEST(CellTypes, OrdersThatDifferByDirection)
     });
 }
 
-// Between two cells there is no wall, and each polygon has the data of its cell.
+// There is no wall between two cells, and each polygon has the data of its cell.
 TEST(CellTypes, NeighboursShareTheirNodes)
 {
   const auto points = Nodes({ VTK_LAGRANGE_TETRAHEDRON, 10, 16, Tetrahedron });
   const auto grid = OneCell(VTK_LAGRANGE_TETRAHEDRON, points);
-  points->InsertNextPoint(1.0, 1.0, 1.0); // across the face of the corners 1, 2, 3
+  points->InsertNextPoint(1.0, 1.0, 1.0); // opposite to the face of the corners 1, 2, 3
   const vtkIdType apex = 10;
   for (const double* const corner : { points->GetPoint(1), points->GetPoint(2) })
   {
@@ -304,7 +305,7 @@ TEST(CellTypes, NeighboursShareTheirNodes)
     points->InsertNextPoint(middle);
   }
   points->InsertNextPoint(0.5, 0.5, 1.0);
-  // The nodes between the corners 0-1, 1-2, 2-0, 0-3, 1-3 and 2-3 come behind the corners.
+  // The corners come first, then the nodes between 0-1, 1-2, 2-0, 0-3, 1-3 and 2-3.
   const vtkIdType ids[] = { 1, 2, 3, apex, 5, 9, 8, 11, 12, 13 };
   grid->InsertNextCell(VTK_LAGRANGE_TETRAHEDRON, 10, ids);
   vtkNew<vtkDoubleArray> values;
@@ -326,8 +327,8 @@ TEST(CellTypes, NeighboursShareTheirNodes)
     });
 }
 
-// Polyhedra beside them keep their faces.
-TEST(CellTypes, PolyhedraBesideThem)
+// Polyhedra in the same grid keep their faces.
+TEST(CellTypes, PolyhedraInTheSameGrid)
 {
   const auto grid = OneCell(VTK_LAGRANGE_TRIANGLE, Nodes({ VTK_LAGRANGE_TRIANGLE, 6, 4, 0.5 }));
   grid->GetPoints()->InsertNextPoint(0.2, 0.2, 1.0);
@@ -340,7 +341,7 @@ TEST(CellTypes, PolyhedraBesideThem)
   ForEachFile(grid, [](vtkPolyData* mesh) { EXPECT_EQ(mesh->GetNumberOfPolys(), 8); });
 }
 
-// An array that is too short for the cells is an error, and is not read beyond its end.
+// An array too short for the cells is an error, and is not read beyond its end.
 TEST(CellTypes, DataThatIsTooShort)
 {
   const auto grid = OneCell(VTK_LAGRANGE_TRIANGLE, Nodes({ VTK_LAGRANGE_TRIANGLE, 6, 4, 0.5 }));
@@ -352,8 +353,8 @@ TEST(CellTypes, DataThatIsTooShort)
   EXPECT_NE(messages.TakeError(), "");
 }
 
-// Cells of other types keep what they are.
-TEST(CellTypes, GridsWithoutThemAreNotCopied)
+// Cells of other types are not changed.
+TEST(CellTypes, GridsOfOtherTypesAreNotCopied)
 {
   const auto grid = OneCell(VTK_QUADRATIC_TETRA, Nodes({ VTK_QUADRATIC_TETRA, 10, 16, 0.0 }));
   EXPECT_EQ(WithLinearCells(grid), grid);

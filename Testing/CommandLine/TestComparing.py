@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Comparing pictures: what is said of them, the exit status, the files that are written."""
+"""Comparing pictures: messages, exit status, and the files that are written."""
 
 import base64
 import os
@@ -14,7 +14,7 @@ from commandline import COMMAND, CommandTest, SQUARE, TETRAHEDRON, obj, xml_arra
 
 
 def png_file(width, height, compressed, depth=8):
-    """A PNG file with a header, these pixels, and all check sums right."""
+    """A PNG file with this header and these pixels, and correct check sums."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     return (b"\x89PNG\r\n\x1a\n" +
@@ -23,7 +23,7 @@ def png_file(width, height, compressed, depth=8):
 
 
 def png(rows, depth=8):
-    """A PNG file of rows of (r, g, b), of 8 or 16 bits, the top row first."""
+    """A PNG file with rows of (r, g, b), of 8 or 16 bits, the top row first."""
     kind = ">%dB" if depth == 8 else ">%dH"
     body = b"".join(b"\0" + struct.pack(kind % (3 * len(row)), *[v for pixel in row for v in pixel])
                     for row in rows)
@@ -31,7 +31,7 @@ def png(rows, depth=8):
 
 
 def vti(pixels):
-    """A VTK image of floats, one row of (r, g, b); of none it has no scalars."""
+    """A VTK image of floats with one row of (r, g, b). Without any, it has no scalars."""
     extent = "0 %d 0 0 0 0" % (max(len(pixels), 1) - 1)
     scalars = xml_array("Color", "Float32", [v for pixel in pixels for v in pixel], 3)
     return ('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">'
@@ -42,7 +42,7 @@ def vti(pixels):
 
 
 def grey(width, height, changes=()):
-    """All channels 100, but for {(x, y): (r, g, b)}, y from the bottom."""
+    """All channels are 100, except for {(x, y): (r, g, b)}, with y from the bottom."""
     changes = dict(changes)
     return png([[changes.get((x, y), (100, 100, 100)) for x in range(width)]
                 for y in reversed(range(height))])
@@ -60,7 +60,7 @@ class CompareTest(CommandTest):
         self.write("other.png", grey(7, 5, {(5, 1): (103, 100, 96), (2, 3): (100, 90, 100)}))
 
     def compare(self, status, *arguments, **environment):
-        """Exit status as expected; standard output by lines."""
+        """Expects this exit status and these lines on standard output."""
         done = self.run_command(*arguments, env={**self.environment, **environment})
         self.assertEqual((done.returncode, done.stderr), (status, b""), done.stdout)
         return done.stdout.decode().splitlines()
@@ -122,7 +122,7 @@ class TestPictures(CompareTest):
         self.assertEqual(self.compare(0, "compare", "other.png", "base.png", **environment),
                          ["all of 35 pixels are the same"])
         self.compare(1, "compare", "same.png", "base.png", LAMBENT_UPDATE_BASELINES="0")
-        self.compare(0, "compare", "other.png", "new.vti", **environment)  # of another kind
+        self.compare(0, "compare", "other.png", "new.vti", **environment)  # another kind of file
         self.compare(0, "compare", "other.png", "new.vti")
 
     def test_difference(self):
@@ -135,8 +135,8 @@ class TestPictures(CompareTest):
     def test_broken_files(self):
         whole = grey(7, 5)
         damaged = whole[:45] + bytes([whole[45] ^ 1]) + whole[46:]  # within the pixels
-        for content, words in ((whole[:-1], "cut short"), (whole[:50], "cut short"),
-                               (whole[:8], "cut short"), (damaged, "check sum"), (b"", "empty"),
+        for content, words in ((whole[:-1], "complete PNG"), (whole[:50], "complete PNG"),
+                               (whole[:8], "complete PNG"), (damaged, "check sum"), (b"", "empty"),
                                (b"not a picture", "not a PNG")):
             self.write("broken.png", content)
             for names in (("broken.png", "base.png"), ("base.png", "broken.png")):
@@ -151,10 +151,10 @@ class TestPictures(CompareTest):
         self.assertIn("no such file", self.fail_with(1, "compare", "none.png", "base.png"))
 
     def test_pixels_that_cannot_be_decoded(self):
-        """In chunks that are whole. vtkPNGReader does not survive that."""
+        """In complete chunks. vtkPNGReader crashes on some of these."""
         rows = zlib.compress(5 * (b"\0" + 21 * b"d"))
         for compressed in (b"these are no pixels", rows[:-8], zlib.compress(b"\0" + 21 * b"d"),
-                           zlib.compress(5 * (b"\7" + 21 * b"d"))):  # there are filters 0 to 4
+                           zlib.compress(5 * (b"\7" + 21 * b"d"))):  # filters are 0 to 4
             self.write("broken.png", png_file(7, 5, compressed))
             for names in (("compare", "broken.png", "base.png"), ("--recreate", "broken.png"),
                           ("compare", "base.png", "broken.png", "--report", "r.html")):
@@ -257,8 +257,8 @@ class TestReport(CompareTest):
 
 
 class TestDrawing(CompareTest):
-    """Draws and compares in one go. The square fills the view, two triangles, cut from lower left to
-    upper right."""
+    """Renders and compares in one call. The square, two triangles, fills the view. It is divided from lower
+    left to upper right."""
 
     SQUARE_VIEW = ("square.obj", "--direction", "0,0,1", "--parallel-scale", "1")
 
@@ -276,7 +276,7 @@ class TestDrawing(CompareTest):
                                               "--size", "10x10")[0])
 
     def test_cells_of_changed_pixels(self):
-        # Of the 8 x 8 pixels the lower right half shows cell 0.
+        # Of the 8 x 8 pixels, the lower right half shows cell 0.
         self.succeed(*self.SQUARE_VIEW, "-o", "b.png", "--size", "8x8")
         self.assertEqual(
             self.compare(1, *self.SQUARE_VIEW, "--color", "red", "--compare", "b.png"),
@@ -295,10 +295,10 @@ class TestDrawing(CompareTest):
         self.compare(1, *self.SQUARE_VIEW, "--compare", "b.png", "--report", "r.html")
         self.assertIn("<tr><td>square.obj</td><td>1</td><td>3</td><td>(0, 6)</td></tr>\n"
                       "<tr><td>square.obj</td><td>0</td><td>2</td><td>(6, 0)</td></tr>",
-                      self.read("r.html").decode())  # the cell of the most pixels first
+                      self.read("r.html").decode())  # the cell with the most pixels first
         lines = self.compare(1, *self.SQUARE_VIEW, "tetrahedron.obj",
                              "--focal-point", "0,0,0", "--compare", "b.png")
-        self.assertEqual(  # of the tetrahedron all but the base
+        self.assertEqual(  # all of the tetrahedron but the base
             lines[1], "the changed pixels show cells 0-1 of 'square.obj' and cells 1-3 of "
             "'tetrahedron.obj'")
 
@@ -311,13 +311,13 @@ class TestDrawing(CompareTest):
 
     def test_background_is_named(self):
         self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2",
-                     "--supersampling", "1")  # else the edges show both
+                     "--supersampling", "1")  # otherwise the edges show both
         lines = self.compare(1, "square.obj", "--parallel-scale", "2", "--background", "blue",
                              "--compare", "b.png")
         self.assertEqual(lines[1], "the changed pixels show the background")
 
     def test_as_many_samples_as_the_baseline(self):
-        # A .vti does not say how many it has, and counts as one, as does a PNG of others.
+        # A .vti has no number of samples and counts as one, as does a PNG from other software.
         for name, samples in (("b.png", "3"), ("b.png", "1"), ("b.png", "5"), ("b.vti", "1")):
             view = (*self.SQUARE_VIEW[:1], "--direction", "1,2,3")
             self.succeed(*view, "-o", name, "--size", "20x20", "--supersampling", samples)

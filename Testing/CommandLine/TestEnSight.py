@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""EnSight Gold geometry, whole and cut short, in text and in C binary of both byte orders.
+"""EnSight Gold geometry, whole and cut short, as text and as C binary in both byte orders.
 
-VTK's reader says nothing of a file that ends too early.
+VTK's reader does not report a file that ends too early.
 """
 
 import struct
@@ -16,7 +16,7 @@ VIEW = ("--camera-position", "4,5,7", "--focal-point", "1,0.6,0.6", "--size", "3
 CUBE = [(2 * x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 FACES = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
 
-# A file is a list of lines, rows of whole numbers, and rows of others.
+# A file is a list of lines, rows of integers, and rows of real numbers.
 HEAD = ["box", "of a test", "node id off", "element id off"]
 PART = ["part", (1,), "box"]
 POINTS = ["coordinates", (8,)] + [[p[axis]] for axis in range(3) for p in CUBE]
@@ -76,14 +76,14 @@ class TestEnSight(CommandTest):
         self.write("expected.obj", make.obj((CUBE, FACES)))
         expected = self.picture("expected.obj")
         for kind, items in KINDS.items():
-            if kind == "uniform":  # an image, which has no surface
+            if kind == "uniform":  # an image has no surface
                 continue
             for encoding, write in ENCODINGS.items():
                 with self.subTest(kind=kind, encoding=encoding):
                     self.write("box.geo", write(items))
                     self.assertEqual(self.picture("box.case"), expected)
             with self.subTest(kind=kind):
-                self.write("box.geo", text(items)[:-1])  # the last line's end
+                self.write("box.geo", text(items)[:-1])  # without the last line end
                 self.assertEqual(self.picture("box.case"), expected)
 
     def test_cut_within_its_last_numbers(self):
@@ -99,7 +99,7 @@ class TestEnSight(CommandTest):
         items = KINDS["polyhedron"]
         for encoding, write in ENCODINGS.items():
             content = write(items)
-            # Where it ends behind the points there is nothing to draw, and that is said.
+            # If it ends after the points there is nothing to draw, which causes a warning.
             behind = [len(write(items[:k])) for k in (7, 7 + len(POINTS))]
             for size in range(1, len(content) - 1, 29):
                 if not any(end - 1 <= size <= end for end in behind):
@@ -132,7 +132,7 @@ class TestEnSight(CommandTest):
         x = ["x"] + PART[:2] + ["coordinates"] + [[p[0]] for p in CUBE]
         v = ["v"] + PART[:2] + ["hexa8", [1], [2], [3]]
         for encoding, write in ENCODINGS.items():
-            header = 80 if encoding != "text" else 0  # says that the geometry is binary
+            header = 80 if encoding != "text" else 0  # it declares the geometry as binary
             self.write("box.geo", write(items))
             whole = {"box.x": write(x)[header:], "box.v": write(v)[header:]}
             for name, content in whole.items():

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""GIFTI, Gmsh and Abaqus files in each way to write them: the picture of the same shape, or one true line.
+"""GIFTI, Gmsh and Abaqus files in all variants give the picture of the same shape, or one correct line.
 
-TestFormats.py reads one whole file of each kind, TestBrokenFormats.cxx breaks it.
+TestFormats.py reads one whole file of each kind; TestBrokenFormats.cxx damages it.
 """
 
 import base64
@@ -26,7 +26,7 @@ class VariantsTest(CommandTest):
         return self.read("picture.pnm")
 
     def warning(self, name, content):
-        """Draws it, and returns the only warning."""
+        """Renders it, and returns the only warning."""
         self.write(name, content)
         done = self.run_command(name, *VIEW, "-o", "picture.pnm")
         lines = done.stderr.decode().splitlines()
@@ -164,8 +164,8 @@ ORDERS = {"text": None, "little": "<", "big": ">"}
 
 
 class Gmsh:
-    """Writes a file: the way is text, or the byte order of a binary one. Nodes have the numbers 7,
-    10, 13, ... and the elements are (type, corners)."""
+    """Writes a file as text, or as binary in a byte order. Nodes have the numbers 7, 10, 13, ... and the
+    elements are (type, corners)."""
 
     def __init__(self, way, version):
         self.order = ORDERS[way]
@@ -287,7 +287,7 @@ class TestGmsh(VariantsTest):
             self.assertIn(word, self.failure("a.msh", text.replace(old, new, 1)), (old, new))
 
     def test_counts_beyond_the_file(self):
-        # The number of corners is no count in the file.
+        # The file has no count of corners.
         content = gmsh4(TETRAHEDRON[0] + [(0, 0, 0)], [(TRIANGLE, (0, 1, 2))] * 4, "little")
         for count in (4, 5):
             for wrong in (1 << 62, (1 << 63) - 1, -1):
@@ -298,7 +298,7 @@ class TestGmsh(VariantsTest):
 
 
 def abaqus(points, *blocks):
-    """The nodes have the numbers 10, 20, 30, ...; the blocks are (type, elements)."""
+    """Nodes have the numbers 10, 20, 30, ...; the blocks are (type, elements)."""
     text = "*Heading\n1, 2, 3\n*Node\n"
     text += "".join("%d, %r, %r, %r\n" % (10 * k + 10, *point) for k, point in enumerate(points))
     for kind, elements in blocks:

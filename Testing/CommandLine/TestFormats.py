@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each kind of file in the folder Formats gives the picture of the same shape in a simple one.
+"""Each kind of file in the folder Formats gives the picture of the same shape in a simple format.
 
-tetrahedron.* is commandline.TETRAHEDRON (in 3DS z is up, so there it is turned); box.* and *.vtk are a box of 2 x 1 x 1 in two cells, with the
-point data x and the cell data cell, 1 and 2. TestBrokenFormats.cxx breaks these files.
+tetrahedron.* is commandline.TETRAHEDRON (rotated in 3DS, where z is up). box.* and *.vtk are a box of
+2 x 1 x 1 in two cells, with the point data x and the cell data cell, 1 and 2. TestBrokenFormats.cxx damages
+these files.
 """
 
 import glob
@@ -16,7 +17,7 @@ import commandline as make
 from commandline import CommandTest, TETRAHEDRON
 
 FORMATS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Formats")
-# A camera that stands still, so that it shows where a surface is.
+# A fixed camera, so that the position of a surface is visible.
 VIEW = ("--camera-position", "4,5,7", "--focal-point", "1,0.6,0.6", "--size", "64x48")
 FLAT = ("--shading", "flat")
 
@@ -51,7 +52,7 @@ class FormatsTest(CommandTest):
         return line
 
     def readable(self, names):
-        """Those of the names whose kind this build of the command reads."""
+        """The names whose kind this build of the command reads."""
         listed = self.succeed("--formats").decode()
         lacking = [line for line in listed.splitlines() if "not in this build" in line]
         return [name for name in names
@@ -65,8 +66,8 @@ class TestKinds(FormatsTest):
         names = self.readable(sorted(map(os.path.basename,
                                          glob.glob(self.path("tetrahedron.*")))))
         self.assertGreaterEqual(len(names), 9)
-        # Where they are smooth depends on which faces share points: none of two parts do, and those
-        # of 3DS only within a smoothing group.
+        # Shared points decide where surfaces are smooth. Faces of two parts share none; those of 3DS
+        # share them only within a smoothing group.
         apart = (".vtm", ".vtmb", ".vtpd", ".vtpc", ".pvtp", ".pvd", ".3ds")
         for shading in ("flat", "smooth"):
             expected = self.picture("expected.ply", "--shading", shading)
@@ -81,7 +82,7 @@ class TestKinds(FormatsTest):
             self.assertEqual(self.picture(name, *FLAT), expected, name)
 
     def test_count_of_triangles(self):
-        # The wall between the two cells is not drawn where they are one grid.
+        # If the two cells are in one grid, the wall between them is not drawn.
         for name, count in (("tetrahedron.vtm", 4), ("tetrahedron.pvd", 4), ("box.vts", 20),
                             ("box.pvts", 20), ("box.pvtr", 20), ("box.pvtu", 24)):
             done = self.run_command(name, "-o", "x.png", "--verbose", *VIEW)
@@ -98,7 +99,7 @@ class TestKinds(FormatsTest):
                     self.assertEqual(self.picture(name, "--contour", "0.75", *FLAT), expected, name)
 
     def test_contour_of_cell_data(self):
-        # Averaged at the points, cell is 1, 1.5 and 2 along x.
+        # Averaged at the points, the values of cell are 1, 1.5 and 2 along x.
         square = [(0.5, y, z) for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
         self.write("expected.obj", make.obj((square, [(0, 1, 2, 3)])))
         expected = self.picture("expected.obj", *FLAT)
@@ -229,7 +230,7 @@ class TestParts(FormatsTest):
         self.assertIn("in a circle", self.fail_to_read("circle.vtm"))
 
     def test_cells_that_pieces_repeat_are_drawn_once(self):
-        # The front says that its second cell belongs to its neighbour, which has it, too.
+        # The front declares that its second cell belongs to its neighbour, which has it, too.
         front = self.read("parts/front.vtp").decode()
         ghosts = ('<CellData><DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 1'
                   '</DataArray></CellData>')
@@ -276,7 +277,7 @@ class TestGzip(FormatsTest):
         self.assertEqual(self.read("x.pnm"), expected)
 
     def test_bomb(self):
-        self.write("bomb.off.gz", gzip.compress(bytes(200 << 20)))  # 200 MiB of zeros in 200 kB
+        self.write("bomb.off.gz", gzip.compress(bytes(200 << 20)))  # 200 MiB of zeros as 200 kB
         self.assertIn("256 times", self.fail_to_read("bomb.off.gz"))
 
     def test_errors_name_the_file(self):

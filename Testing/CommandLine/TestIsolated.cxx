@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A reader in a child process: its mesh arrives whole, and whatever becomes of it is one line.
+// Reading in a child process: the mesh arrives complete, and each failure gives one line.
 
 #include "Isolated.h"
 #include "Messages.h"
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   normals->SetNumberOfTuples(6);
   normals->Fill(0.5);
   mesh->GetPointData()->SetNormals(normals);
-  vtkNew<vtkStringArray> words; // are not sent
+  vtkNew<vtkStringArray> words; // strings are not sent
   words->SetName("words");
   words->SetNumberOfValues(6);
   mesh->GetPointData()->AddArray(words);
@@ -72,7 +72,7 @@ vtkSmartPointer<vtkPolyData> MakeMesh()
   return mesh;
 }
 
-/// What is thrown by a child process that reads so.
+/// The message of the failure that this read function causes in a child process.
 std::string FailureOf(
   const std::function<vtkSmartPointer<vtkPolyData>()>& read, ChildLimits limits = {})
 {
@@ -91,7 +91,7 @@ std::string FailureOf(
 
 } // namespace
 
-TEST(Isolated, MeshArrivesWhole)
+TEST(Isolated, MeshArrivesComplete)
 {
   VtkMessages messages(true);
   Progress progress(false);
@@ -154,7 +154,7 @@ TEST(Isolated, WarningsAndFailuresArrive)
     std::string::npos);
 }
 
-TEST(Isolated, CrashesAreOneLine)
+TEST(Isolated, CrashesGiveOneLine)
 {
   for (const int signal : { SIGSEGV, SIGABRT, SIGFPE, SIGBUS })
   {
@@ -171,13 +171,13 @@ TEST(Isolated, CrashesAreOneLine)
   const std::string left = FailureOf(
     []
     {
-      _exit(0); // as some libraries do when they do not know what to do
+      _exit(0); // as some libraries do on an error
       return MakeMesh();
     });
   EXPECT_EQ(left.rfind("its reader crashed", 0), 0u) << left;
 }
 
-TEST(Isolated, ReadersThatComeToNoEndAreStopped)
+TEST(Isolated, EndlessReadersAreStopped)
 {
   ChildLimits limits;
   limits.seconds = 1;
@@ -193,7 +193,7 @@ TEST(Isolated, ReadersThatComeToNoEndAreStopped)
   EXPECT_EQ(failure.rfind("its reader did not finish in 1 seconds", 0), 0u) << failure;
 }
 
-TEST(Isolated, CellsThatNameNoPointAreRefused)
+TEST(Isolated, CellsWithMissingPointsAreRejected)
 {
   const std::string failure = FailureOf(
     []

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists of cells that are checked part by part: noted as right only if all of the list was seen
-// and is right; and CheckCells() finds each wrong number, wherever it is.
+// Checks of lists of cells, part by part. A list is recorded as correct only if all of it was
+// checked and is correct. CheckCells() finds each wrong id in any position.
 
 #include "BrokenFiles.h"
 
@@ -27,7 +27,7 @@ using namespace lambent::command;
 namespace
 {
 
-constexpr vtkIdType Cells = 40000; ///< so that their ids are several parts
+constexpr vtkIdType Cells = 40000; ///< enough for several parts of ids
 constexpr vtkIdType Points = 100;
 
 template <typename Array>
@@ -60,7 +60,8 @@ struct List
   vtkNew<Array> Ids;
 };
 
-/// After a look at all ids but the last ones, part by part.
+/// Checks all ids but the last `unseen` ones, part by part. Returns whether they are recorded as
+/// correct.
 template <typename Array>
 bool IsNoted(List<Array>& list, vtkIdType numberOfPoints, vtkIdType unseen = 0)
 {
@@ -99,7 +100,7 @@ class ListChecks : public testing::Test
 using Arrays = testing::Types<vtkTypeInt32Array, vtkTypeInt64Array>;
 TYPED_TEST_SUITE(ListChecks, Arrays, ); // the comma for clang's -Wpedantic
 
-TYPED_TEST(ListChecks, NoteWhatIsRightAndWasSeen)
+TYPED_TEST(ListChecks, RecordListsThatAreCheckedAndCorrect)
 {
   List<TypeParam> list;
   EXPECT_TRUE(IsNoted(list, Points));
@@ -164,7 +165,7 @@ TYPED_TEST(ListChecks, FindEachWrongOffset)
   }
 }
 
-TYPED_TEST(ListChecks, AreQuietAboutWhatIsRight)
+TYPED_TEST(ListChecks, AcceptCorrectLists)
 {
   List<TypeParam> list;
   EXPECT_EQ(Failing(list.ToCells()), "");
@@ -173,7 +174,7 @@ TYPED_TEST(ListChecks, AreQuietAboutWhatIsRight)
 namespace
 {
 
-/// Reads back what a writer writes of the mesh.
+/// Writes the mesh with a writer and reads the file.
 template <typename Writer>
 std::string FailingFile(Writer* writer, vtkPolyData* mesh, const std::string& extension)
 {
@@ -186,7 +187,7 @@ std::string FailingFile(Writer* writer, vtkPolyData* mesh, const std::string& ex
 
 } // namespace
 
-// Whichever way the list is read.
+// A wrong id is found whichever way the list is read.
 TEST(ListChecksOfFiles, FindAWrongId)
 {
   for (const vtkIdType wrong : { 4, -1 })

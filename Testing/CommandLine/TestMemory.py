@@ -11,7 +11,7 @@ MEGABYTE = 1 << 20
 
 
 def limited(megabytes):
-    """Has a process that is about to start find no more address space than that."""
+    """Limits the address space of a process that is about to start."""
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (megabytes * MEGABYTE,) * 2)
     return limit
@@ -24,7 +24,7 @@ class TestMemory(CommandTest):
         self.write("mesh.obj", obj(TETRAHEDRON))
 
     def least(self):
-        """The address space that the command needs to start at all."""
+        """The address space that the command needs to start."""
         for megabytes in range(32, 2048, 32):
             done = self.run_command("--version", preexec_fn=limited(megabytes))
             if done.returncode == 0:
@@ -35,7 +35,7 @@ class TestMemory(CommandTest):
         least = self.least()
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--threads", "1", "--size",
                               "30000x20000", preexec_fn=limited(least + 512))
-        self.assertRegex(line, "cannot render: .*(memory|allocate)")  # one is VTK's own word
+        self.assertRegex(line, "cannot render: .*(memory|allocate)")  # one is VTK's own message
 
     def test_too_little_for_anything(self):
         least = self.least()

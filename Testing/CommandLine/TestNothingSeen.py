@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture that shows nothing says why, and what to try: in one line, and only then."""
+"""A picture that shows nothing causes one line with the reason and a remedy. Other pictures do not."""
 
 import unittest
 
@@ -21,7 +21,7 @@ COLOURS = ("the light has none of the colours that the faces reflect; try anothe
 NO_COLOUR = "all visible faces are black; try another --color, --diffuse or --ambient"
 BEHIND = "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2"
 
-# What is drawn, with which options, and the line that is said after "the picture shows nothing: ".
+# A mesh, options, and the line that follows "the picture shows nothing: ".
 CASES = (
     # The camera.
     (SQUARE, ("--direction", "1,0,0"), FLAT + "0,0,1"),

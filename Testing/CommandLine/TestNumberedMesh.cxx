@@ -23,9 +23,10 @@ namespace
 
 using Numbers = std::vector<std::int64_t>;
 
-/// The corners of a unit cube have the numbers 100 x + 10 y + z, the tip of a pyramid 7. A
-/// simulation counts corners such that the triangle or square of the first ones is seen clockwise
-/// from outside.
+/// The corners of a unit cube have the numbers 100 x + 10 y + z; the tip of a pyramid has the
+/// number
+/// 7. Simulations count corners so that the triangle or square of the first ones is clockwise when
+/// seen from outside.
 void AddCube(NumberedMesh& mesh)
 {
   for (int corner = 7; corner >= 0; --corner)
@@ -38,7 +39,7 @@ void AddCube(NumberedMesh& mesh)
   mesh.AddNode(7, tip);
 }
 
-/// Positive if the polygons are seen anticlockwise from outside.
+/// Positive if the polygons are anticlockwise when seen from outside.
 double VolumeIn(vtkPolyData* mesh)
 {
   double volume = 0;
@@ -82,7 +83,7 @@ std::string FailureOf(NumberedMesh& mesh)
 
 } // namespace
 
-TEST(NumberedMesh, VolumesAreSeenFromOutside)
+TEST(NumberedMesh, VolumesFaceOutwards)
 {
   const struct
   {
@@ -99,7 +100,7 @@ TEST(NumberedMesh, VolumesAreSeenFromOutside)
   for (const auto& [shape, nodes, volume, faces] : solids)
   {
     NumberedMesh mesh(false);
-    mesh.AddElement(1, shape, nodes); // before its nodes, and with more than are drawn
+    mesh.AddElement(1, shape, nodes); // comes before its nodes, and has more nodes than are used
     AddCube(mesh);
     const auto surface = Surface(mesh);
     EXPECT_NEAR(VolumeIn(surface), volume, 1e-12) << shape.cellType;
@@ -107,7 +108,7 @@ TEST(NumberedMesh, VolumesAreSeenFromOutside)
   }
 }
 
-TEST(NumberedMesh, NodesThatDoNotExist)
+TEST(NumberedMesh, MissingNodes)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);
@@ -115,7 +116,7 @@ TEST(NumberedMesh, NodesThatDoNotExist)
   EXPECT_EQ(FailureOf(mesh).rfind("its element 12 names node 9, which does not exist", 0), 0u);
 }
 
-TEST(NumberedMesh, NodesWithOneNumber)
+TEST(NumberedMesh, NodesWithTheSameNumber)
 {
   for (const bool isLast : { false, true })
   {
@@ -135,7 +136,7 @@ TEST(NumberedMesh, NodesWithOneNumber)
   }
 }
 
-TEST(NumberedMesh, PartsNumberTheirNodesAnew)
+TEST(NumberedMesh, PartsNumberTheirOwnNodes)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);
@@ -156,13 +157,13 @@ TEST(NumberedMesh, PolygonsHaveNoVolume)
   auto* const surface = vtkPolyData::SafeDownCast(data);
   ASSERT_NE(surface, nullptr);
   EXPECT_EQ(surface->GetNumberOfPolys(), 2);
-  EXPECT_EQ(surface->GetNumberOfPoints(), 6); // the others are not named
+  EXPECT_EQ(surface->GetNumberOfPoints(), 6); // the other points are not used
   double first[3];
   surface->GetPoint(0, first);
   EXPECT_EQ(first[0] + first[1] + first[2], 3);
 }
 
-TEST(NumberedMesh, NodesAlone)
+TEST(NumberedMesh, NodesWithoutElements)
 {
   NumberedMesh mesh(false);
   AddCube(mesh);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which points an OBJ file becomes where corners name normals, smoothing groups or texture
+// How the corners of an OBJ file become points if they name normals, smoothing groups or texture
 // coordinates.
 
 #include "OppositeFaces.h"
@@ -39,7 +39,7 @@ Rows TextureOf(const Outcome& outcome)
   return RowsOf(outcome.mesh->GetPointData()->GetTCoords());
 }
 
-/// The points of the file keep their ids; behind them are copies of those.
+/// Expects the points of the file with their ids, followed by copies of the listed ones.
 void ExpectPoints(const Outcome& outcome, const std::vector<std::size_t>& copies)
 {
   Rows points = RoofPoints;
@@ -60,7 +60,7 @@ TEST(ObjNormals, NoneWithoutNormalsAndGroups)
   EXPECT_EQ(outcome.mesh->GetPointData()->GetNumberOfArrays(), 0);
 }
 
-TEST(ObjNormals, NoneWhereAllHaveNoLength)
+TEST(ObjNormals, NoneIfAllHaveZeroLength)
 {
   const Outcome outcome = Read(Roof + "vn 0 0 0\nvn 0 -0 0\nf 1//1 2//2 4//1 3//1\n" + Front);
   ExpectPoints(outcome, {});
@@ -72,12 +72,12 @@ TEST(ObjNormals, EqualIndicesShareAPoint)
   const Outcome outcome =
     Read(Roof + "vn 0 0 2\nvn 0 -1 0\nf 1//1 2//1 4//1 3//1\nf 2//1 1//1 5//2 6//2\n");
   ExpectPoints(outcome, {});
-  const std::vector<double> z2 = { 0, 0, 2 }; // as the file has it
+  const std::vector<double> z2 = { 0, 0, 2 }; // as in the file
   EXPECT_EQ(NormalsOf(outcome), (Rows{ z2, z2, z2, z2, MinusY, MinusY }));
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 3, 2 }, { 1, 0, 4, 5 } }));
 }
 
-TEST(ObjNormals, DifferentIndicesGetPointsOfTheirOwn)
+TEST(ObjNormals, DifferentIndicesGetSeparatePoints)
 {
   const Outcome outcome =
     Read(Roof + "vn 0 0 1\nvn 0 -1 0\nf 1//1 2//1 4//1 3//1\nf 2//2 1//2 5//2 6//-1\n");
@@ -86,9 +86,9 @@ TEST(ObjNormals, DifferentIndicesGetPointsOfTheirOwn)
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 3, 2 }, { 6, 7, 4, 5 } }));
 }
 
-TEST(ObjNormals, ACornerWithoutOneHasThatOfItsFace)
+TEST(ObjNormals, ACornerWithoutANormalUsesTheFaceNormal)
 {
-  // A whole face, one corner of a face, and a normal of no length.
+  // A whole face without normals, one corner without, and a normal of zero length.
   const Rows normals = { Z, Z, Z, Z, MinusY, MinusY, MinusY, MinusY };
   const Cells cells = { { 0, 1, 3, 2 }, { 6, 7, 4, 5 } };
   for (const std::string front : { "f 2 1 5 6\n", "f 2 1//2 5//2 6/\n", "f 2//3 1//3 5//2 6//2\n" })
@@ -101,7 +101,7 @@ TEST(ObjNormals, ACornerWithoutOneHasThatOfItsFace)
   }
 }
 
-TEST(ObjNormals, ACornerWithoutOneIsOfItsSmoothingGroup)
+TEST(ObjNormals, ACornerWithoutANormalUsesItsSmoothingGroup)
 {
   const Outcome outcome =
     Read(Roof + "v 2 0 0\nv 2 1 0\nvn 1 0 0\ns 1\n" + Top + Front + "f 2//1 7//1 8//1 4//1\n");
@@ -135,8 +135,9 @@ TEST(ObjNormals, DifferentGroupsAreSharp)
   }
 }
 
-// A sheet that is there twice, once each way round: the normals of its sides must not cancel.
-TEST(ObjNormals, SidesOfASheetAreApart)
+// A sheet contains each face twice, once in each orientation: the normals of its sides must not
+// cancel.
+TEST(ObjNormals, SidesOfASheetAreSeparate)
 {
   const std::vector<double> back = { 0, Half, -Half };
   const std::vector<double> minusZ = { 0, 0, -1 };
@@ -171,7 +172,7 @@ TEST(OppositeFaces, RingsOfAllKinds)
       false, false, true, true, false, true, false, false, true, false, false, false }));
 }
 
-TEST(ObjNormals, AGroupMayComeTwice)
+TEST(ObjNormals, AGroupMayOccurTwice)
 {
   const Outcome outcome =
     Read(Roof + "v 2 0 0\nv 2 1 0\ns 1\n" + Top + "s 2\nf 2 7 8 4\ns 1\n" + Front);
@@ -180,19 +181,19 @@ TEST(ObjNormals, AGroupMayComeTwice)
 
 TEST(ObjNormals, FacesBeforeTheFirstGroupAreFlat)
 {
-  // Both sides of the roof behind a face that folds away from the top.
+  // Both sides of the roof, after a face that is folded away from the top.
   const Outcome outcome = Read(Roof + "v 0 1 -1\nv 1 1 -1\nf 3 4 8 7\ns 1\n" + Top + Front);
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 2, 3, 7, 6 }, { 0, 1, 8, 9 }, { 1, 0, 4, 5 } }));
   const std::vector<double> y = { 0, 1, 0 };
   EXPECT_EQ(NormalsOf(outcome), (Rows{ Between, Between, y, y, MinusY, MinusY, y, y, Z, Z }));
 }
 
-TEST(ObjNormals, GroupsBehindAllFacesMeanNothing)
+TEST(ObjNormals, GroupsAfterAllFacesHaveNoEffect)
 {
   EXPECT_EQ(NormalsOf(Read(Roof + Top + Front + "s 1\n")), Rows());
 }
 
-TEST(ObjNormals, PointsWithoutAFaceHaveNone)
+TEST(ObjNormals, UnusedPointsHaveNone)
 {
   const Outcome outcome = Read("v 9 9 9\n" + Roof + "s 1\nf 2 3 5 4\n");
   const std::vector<double> none = { 0, 0, 0 };
@@ -209,7 +210,7 @@ TEST(ObjTexture, OneForEachPoint)
   EXPECT_EQ(NormalsOf(outcome), Rows());
 }
 
-TEST(ObjTexture, ASeamMustNotBreakNormalsThatAreToBeComputed)
+TEST(ObjTexture, ASeamDoesNotBreakComputedNormals)
 {
   const Outcome outcome = Read(Roof + "vt 0 0\nvt 1 0\nf 1/1 2/1 4/1 3/1\nf 2/2 1/2 5/2 6/2\n");
   ExpectPoints(outcome, {});
@@ -234,7 +235,7 @@ TEST(ObjTexture, ASeamCopiesPointsWithTheirNormals)
   EXPECT_EQ(NormalsOf(flat), (Rows{ Z, Z, Z, Z, MinusY, MinusY, MinusY, MinusY }));
 }
 
-TEST(ObjTexture, ColoursGoWithThePoints)
+TEST(ObjTexture, ColoursFollowThePoints)
 {
   std::string colored = Roof;
   for (std::size_t at = 0, k = 0; (at = colored.find('\n', at)) != std::string::npos; ++k)
@@ -251,7 +252,7 @@ TEST(ObjTexture, ColoursGoWithThePoints)
   EXPECT_EQ(colors[7], (std::vector<double>{ 0, 0, 255 }));
 }
 
-// So many that hashes of different points with the same key are equal.
+// So many keys that different points have the same hash.
 TEST(SplitPoints, KeysOfManyPoints)
 {
   constexpr std::int32_t count = 300000;
@@ -282,7 +283,7 @@ TEST(SplitPoints, KeysOfManyPoints)
   }
 }
 
-// Each corner has a normal of its own at the same point: all of them must be told apart in time.
+// Each corner at one point has its own normal; telling all of them apart must take little time.
 TEST(ObjNormals, VeryManyAtOnePoint)
 {
   constexpr int count = 100000;

@@ -37,7 +37,7 @@ TEST(Options, Defaults)
   EXPECT_FALSE(options.quiet || options.verbose);
 }
 
-TEST(Options, LightsKeepTheirOrderAndLeaveTheInputsAlone)
+TEST(Options, LightsKeepTheirOrderAndDoNotConsumeInputs)
 {
   const Parsed parsed = Parse({ "--light", "position=1,2,3", "a.ply", "--headlight", "--light",
     "direction=0,0,1", "b.ply", "-o", "-" });
@@ -82,7 +82,7 @@ TEST(Options, WrongUsageIsOneLineAndAHint)
   EXPECT_EQ(parsed.standardOutput, "");
   EXPECT_EQ(
     parsed.standardError, "lambent: --zoom: 'nan' is not a finite number\nTry 'lambent --help'.\n");
-  // Also where the argument has several lines.
+  // This also holds if the argument has several lines.
   EXPECT_EQ(Parse({ "a.ply", "-o", "x.png", "--size", "1\n2" }).standardError,
     "lambent: --size: '1 2' is not a size in pixels of at least 1x1, such as 1920x1080\n"
     "Try 'lambent --help'.\n");

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No picture is written over a baseline, an input or another picture, whatever its name is there, and
-nothing passes by being compared with itself."""
+"""The command never overwrites a baseline, an input or another picture, under any of its names, and no
+picture passes a comparison with itself."""
 
 import os
 import unittest
@@ -20,7 +20,7 @@ class ProtectingTest(CompareTest):
         self.write("square.obj", obj(SQUARE))
 
     def spellings(self, name):
-        """Other names of a file, some of them new files in the folder."""
+        """Other names of a file; some of them are new files in the folder."""
         stem, extension = os.path.splitext(name)
         links = [stem + " link" + extension, "folder/" + stem + extension, stem + " hard" + extension]
         for link in links:
@@ -35,8 +35,8 @@ class ProtectingTest(CompareTest):
         return names + links
 
     def refuse(self, *arguments, kept, words=()):
-        """The command refuses, however often it is run and whether or not it updates; the files that
-        are kept do not change. Returns what it says."""
+        """The command refuses, however often it runs and whether or not it updates, and the files to keep
+        do not change. Returns its message."""
         def state():
             return [(self.read(name), os.stat(self.path(name)).st_mtime_ns) for name in kept]
         before, files = state(), self.files()
@@ -122,7 +122,7 @@ class TestOtherFiles(ProtectingTest):
     def test_recreating(self):
         self.succeed("square.obj", "-o", "p.png", "--size", "8x8")
         before = self.read("p.png")
-        self.succeed("--recreate", "p.png", "-o", "p.png")  # as asked for
+        self.succeed("--recreate", "p.png", "-o", "p.png")  # on request
         self.assertEqual(self.read("p.png"), before)
         self.assertEqual(self.compare(0, "--recreate", "p.png"),
                          ["all of 64 pixels are the same"])
@@ -158,7 +158,7 @@ class TestUpdating(ProtectingTest):
                           ("square.obj", "--compare", "base.png", "--size", "7x5"),
                           ("square.obj", "--compare", "base.png")):
             line = self.refuse(*arguments, kept=["base.png"])
-            self.assertIn("cannot read 'base.png': the file is cut short", line)
+            self.assertIn("cannot read 'base.png': it is not a complete PNG file", line)
 
 
 if __name__ == "__main__":

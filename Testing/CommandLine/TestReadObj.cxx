@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the lines of an OBJ file are read, in all their forms. TestObjNormals.cxx has what becomes
-// of normals, smoothing groups and texture coordinates.
+// Reading the lines of an OBJ file in all their forms. TestObjNormals.cxx tests normals, smoothing
+// groups and texture coordinates.
 
 #include "ReadFrom.h"
 #include "ReadObj.h"
@@ -20,7 +20,7 @@ Outcome Read(const std::string& text)
   return ReadFrom(ReadObj, text);
 }
 
-/// The text is the square of two triangles, and there is nothing to say about it.
+/// Expects that the text is the square of two triangles, without any message.
 void ExpectSquare(const std::string& text)
 {
   const Outcome outcome = Read(text);
@@ -53,7 +53,7 @@ TEST(ReadObj, LineEndsOfAllSystems)
   }
 }
 
-TEST(ReadObj, LastLineWithoutItsEnd)
+TEST(ReadObj, LastLineWithoutALineEnd)
 {
   ExpectSquare(Square + "f 1 2 3\nf 1 3 4");
   ExpectSquare("f 1 2 3\nf 1 3 4\n" + Square.substr(0, Square.size() - 1));
@@ -69,11 +69,11 @@ TEST(ReadObj, ByteOrderMark)
 TEST(ReadObj, Comments)
 {
   ExpectSquare("# v 9 9 9\n" + Square + "f 1 2 3 # the first\nf 1 3 4#the second\n  # done\n");
-  // A path in a comment or a name may end with a backslash; the next line is one of its own.
+  // A path in a comment or a name may end with a backslash; the next line is separate.
   ExpectSquare("# C:\\models\\\n" + Square + "g C:\\\nf 1 2 3\nf 1 3 4\n");
 }
 
-TEST(ReadObj, LinesThatGoOn)
+TEST(ReadObj, ContinuedLines)
 {
   ExpectSquare(Square + "f 1 \\\n2 \\\r\n3\nf\\\n 1 3\\ \n 4\n");
   ExpectSquare("v 0 \\\n 0 0\n" + Square.substr(8) + "f 1 2 3\nf 1 3 4\n");
@@ -161,7 +161,7 @@ TEST(ReadObj, ColoursOfPoints)
   EXPECT_EQ(outcome.mesh->GetPointData()->GetScalars()->GetDataType(), VTK_UNSIGNED_CHAR);
 }
 
-TEST(ReadObj, IndicesThatNameNothing)
+TEST(ReadObj, InvalidIndices)
 {
   const std::string mend = "; correct the line, or get a whole copy";
   ExpectFailure(Square + "f 1 2 5\n", "line 5 names point 5, but the file has 4 points (v)" + mend);
@@ -189,7 +189,7 @@ TEST(ReadObj, IndicesThatNameNothing)
   ExpectFailure(Square + "f 1 5\n", "line 5 names point 5, but the file has 4 points (v)" + mend);
 }
 
-TEST(ReadObj, NumbersThatAreNone)
+TEST(ReadObj, InvalidNumbers)
 {
   ExpectFailure("v 0 0 0\r\nv 0 x 0\r\n", "line 2: found 'x' where a number is expected");
   ExpectFailure("v 0 0\nv 0 0 0\n", "line 1: a point (v) has 2 numbers and needs 3");
@@ -212,7 +212,7 @@ TEST(ReadObj, NumbersThatAreNone)
   ExpectFailure(zero, "line 1: found '0?' where a number is expected");
 }
 
-TEST(ReadObj, NothingInIt)
+TEST(ReadObj, EmptyFiles)
 {
   const Outcome outcome = Read("Dear reader,\nthis is a letter.\n");
   EXPECT_EQ(outcome.failure, "");

@@ -58,7 +58,7 @@ TEST(ReadPly, LineEndsOfOtherSystems)
   }
 }
 
-// Behind the line end of a header with LF or CR any byte is data, the other line end included.
+// After the line end of a header, LF or CR, any byte is data, even the other line end.
 TEST(ReadPly, LineEndsBeforeBinaryData)
 {
   for (const std::string end : { "\n", "\r\n", "\r" })
@@ -90,9 +90,9 @@ TEST(ReadPly, DoubleStaysDouble)
   EXPECT_EQ(mesh->GetPoint(2)[2], 0.1);
 }
 
-TEST(ReadPly, EveryCutIsNoticed)
+TEST(ReadPly, EveryCutIsDetected)
 {
-  const std::size_t lastValue = Text.rfind(' ') + 1; // cut behind it, the text is whole
+  const std::size_t lastValue = Text.rfind(' ') + 1; // a cut after this looks complete
   for (std::size_t size = 0; size <= lastValue; ++size)
   {
     EXPECT_THROW(ReadText(Text.substr(0, size)), Failure) << size;
@@ -100,7 +100,7 @@ TEST(ReadPly, EveryCutIsNoticed)
   EXPECT_EQ(ReadText(Text.substr(0, Text.size() - 1))->GetNumberOfPolys(), 2);
 }
 
-TEST(ReadPly, EveryCutOfABinaryFileIsNoticed)
+TEST(ReadPly, EveryCutOfABinaryFileIsDetected)
 {
   std::string whole = "ply\nformat binary_big_endian 1.0\nelement vertex 3\n"
                       "property uchar x\nproperty char y\nproperty short z\nelement face 1\n"
@@ -159,7 +159,7 @@ TEST(ReadPly, TriangleStrips)
   EXPECT_EQ(CellsOf(isUnsigned.mesh->GetStrips()), (Cells{ { 0, 1, 2 }, { 3, 1, 2 } }));
 }
 
-TEST(ReadPly, TriangleStripsThatAreNone)
+TEST(ReadPly, InvalidTriangleStrips)
 {
   const Outcome outcome = ReadFrom(ReadPly, WithStrips("int int", "7 0 -1 0 1 2 -1 3"));
   EXPECT_EQ(outcome.warnings,
@@ -172,7 +172,7 @@ TEST(ReadPly, TriangleStripsThatAreNone)
   EXPECT_EQ(ReadFrom(ReadPly, text).failure, "its triangle strips have no list 'vertex_indices'");
 }
 
-TEST(ReadPly, NumbersLeftOverOnALine)
+TEST(ReadPly, ExtraNumbersOnALine)
 {
   std::string text = Text;
   text.replace(text.find("1 0 0\n"), 6, "1 0 0 255 7\n");
@@ -185,7 +185,7 @@ TEST(ReadPly, NumbersLeftOverOnALine)
   EXPECT_EQ(PointsOf(outcome), PointsOf(ReadFrom(ReadPly, Text)));
 }
 
-TEST(ReadPly, AnElementMayGoOnInTheNextLine)
+TEST(ReadPly, AnElementMayContinueOnTheNextLine)
 {
   std::string text = Text;
   text.replace(text.find("1 0 0\n"), 6, "1\n 0\n\n0\n");
@@ -195,7 +195,7 @@ TEST(ReadPly, AnElementMayGoOnInTheNextLine)
   EXPECT_EQ(PolygonsOf(outcome), (Cells{ { 0, 1, 2 }, { 0, 1, 2, 3 } }));
 }
 
-TEST(ReadPly, DataLeftOverAtTheEnd)
+TEST(ReadPly, ExtraDataAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
@@ -219,14 +219,14 @@ TEST(ReadPly, EmptyFacesKeepTheirIds)
   EXPECT_EQ(PolygonsOf(ReadFrom(ReadPly, text)), (Cells{ {}, { 0, 1, 2, 3 } }));
 }
 
-TEST(ReadPly, WhatIsNoNumberIsNamedWithItsLine)
+TEST(ReadPly, InvalidNumbersAreNamedWithTheirLine)
 {
   std::string text = Text;
   text.replace(text.find("1 1 0.1"), 7, "1 one 0");
   EXPECT_EQ(ReadFrom(ReadPly, text).failure, "line 12: found 'one' where a number is expected");
 }
 
-TEST(ReadPly, NormalsAreThoseOfTheVerticesThatAreRead)
+TEST(ReadPly, NormalsBelongToTheVerticesInUse)
 {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\n";
   const Outcome outcome = ReadFrom(ReadPly,

@@ -75,12 +75,12 @@ std::string Binary(const std::string& header = "made by a test", std::uint32_t c
   AppendWord(bytes, count);
   for (const auto& cell : SquareCells)
   {
-    bytes.append(12, '\xff'); // a normal that is none
+    bytes.append(12, '\xff'); // a NaN as the normal
     for (const vtkIdType id : cell)
     {
       for (const double coordinate : SquarePoints[static_cast<std::size_t>(id)])
       {
-        // The first point of the second triangle has minus zeros.
+        // The first point of the second triangle has negative zeros.
         const bool isSecond = bytes.size() > 84 + 50;
         AppendFloat(bytes, static_cast<float>(coordinate == 0 && isSecond ? -0.0 : coordinate));
       }
@@ -96,7 +96,7 @@ TEST(ReadStl, Text)
 {
   ExpectSquare(Square);
   EXPECT_EQ(Read(Square).mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
-  ExpectSquare(Square.substr(0, Square.size() - 1)); // no last line end
+  ExpectSquare(Square.substr(0, Square.size() - 1)); // the last line does not end
   ExpectSquare(Replaced(Square, "\n", "\r\n"));
   ExpectSquare(Replaced(Square, "\n", "\r"));
   ExpectSquare("\xef\xbb\xbf\n \n" + Square);
@@ -114,7 +114,7 @@ TEST(ReadStl, TextInCapitals)
   ExpectSquare(Replaced(Square, "facet", "Facet"));
 }
 
-TEST(ReadStl, TextWithANameInAnyLetters)
+TEST(ReadStl, TextWithANameInAnyCharacters)
 {
   ExpectSquare(Replaced(Square, "square", "W\xc3\xbcrfel"));
   ExpectSquare(Replaced(Square, "square", "W\xfcrfel")); // Latin-1
@@ -142,13 +142,13 @@ TEST(ReadStl, TextWithMoreCorners)
   EXPECT_EQ(PolygonsOf(Read(text)), (Cells{ { 0, 1, 2, 3 }, { 0, 2, 4, 3 } }));
 }
 
-TEST(ReadStl, TextThatGoesOn)
+TEST(ReadStl, TextAfterTheSolid)
 {
   ExpectSquare(Square + "\nThat is all.\n",
     "lambent: warning: line 18 and everything after it are ignored, outside of any solid\n");
 }
 
-TEST(ReadStl, TextThatIsNotWhole)
+TEST(ReadStl, IncompleteText)
 {
   ExpectFailure(Square.substr(0, Square.find("endsolid")),
     "line 16: it is cut short: it ends where 'facet' or 'endsolid' is expected");
@@ -181,7 +181,7 @@ TEST(ReadStl, Binary)
   ExpectSquare(Binary(std::string(80, '\0')));
 }
 
-TEST(ReadStl, BinaryCutBehindEachByte)
+TEST(ReadStl, BinaryCutAfterEachByte)
 {
   for (const std::string header : { "made by a test", "solid made by a test" })
   {
@@ -210,9 +210,9 @@ TEST(ReadStl, BinaryWithAWrongCount)
   ExpectSquare(Binary() + "bye", "lambent: warning: ignored 3 bytes after its last triangle\n");
 }
 
-TEST(ReadStl, EqualPointsAreMergedWhateverTheirNumber)
+TEST(ReadStl, AnyNumberOfEqualPointsIsMerged)
 {
-  // A strip of squares of which each point is named by several triangles.
+  // A strip of squares; several triangles name each of its points.
   constexpr int count = 5000;
   std::string text = "solid\n";
   const auto vertex = [](int x, int y)

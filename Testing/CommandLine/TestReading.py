@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every kind of mesh gives the same picture; every kind of bad file gives status 1 and one line."""
+"""Every kind of mesh file gives the same picture; every kind of bad file gives status 1 and one line."""
 
 import os
 import unittest
@@ -12,7 +12,7 @@ VIEW = ("--direction", "1,2,3", "--size", "64x48")
 
 CUBE = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 CUBE_FACES = [(0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6)]
-VOXEL = 11  # points in the order of x, then y, then z
+VOXEL = 11  # its points are ordered by x, then y, then z
 
 
 def moved(mesh, x):
@@ -44,8 +44,8 @@ class TestReading(CommandTest):
     def fail_to_read(self, name):
         line = self.fail_with(1, name, "-o", "x.png")
         self.assertIn("cannot read '" + name + "': ", line)
-        self.assertNotIn("0x", line)  # no address, and
-        self.assertNotIn(".cxx", line)  # no source of VTK
+        self.assertNotIn("0x", line)  # no address
+        self.assertNotIn(".cxx", line)  # no source file of VTK
         return line
 
     def test_every_kind_gives_the_same_picture(self):
@@ -62,7 +62,7 @@ class TestReading(CommandTest):
         self.assertEqual(self.picture("a.OBJ"), self.picture("a.obj"))
 
     def test_volumes_by_their_outer_surface(self):
-        # Two cubes side by side, each as a voxel; the wall between them is not drawn.
+        # Two adjacent cubes, each as a voxel; the wall between them is not drawn.
         points = CUBE + [(x + 1, y, z) for x, y, z in CUBE if x == 1]
         cells = [tuple(range(8)), (1, 8, 3, 9, 5, 10, 7, 11)]
         self.write("volume.vtk", make.vtk_grid(points, cells, VOXEL))
@@ -85,7 +85,7 @@ class TestReading(CommandTest):
         self.assertNotEqual(self.picture("left.obj"), both)
 
     def test_double_coordinates_are_not_narrowed(self):
-        # 1e7 and a triangle of 1e-3 beside it: as float it would have no extent.
+        # 1e7 and beside it a triangle of size 1e-3: as floats all its points would coincide.
         points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
         self.write("far.ply", make.ply_text((points, [(0, 1, 2)]), "double"))
         self.write("far.vtp", make.vtp((points, [(0, 1, 2)]), "Float64"))
@@ -104,12 +104,12 @@ class TestReading(CommandTest):
         for normal, value in (((0, 0, 1), 255), ((0, 0.8, 0.6), 153)):
             body = "".join("%r 7 %r %r %r %r %r\n" % (*point, *normal) for point in SQUARE[0])
             self.write("normals.ply", header + body + "5 2 0 1\n9 4 0 1 2 3\n")
-            # A light along -z on a normal (0, 0.8, 0.6): the cosine is 0.6.
+            # A light along -z and a normal (0, 0.8, 0.6): the cosine is 0.6.
             center = self.center("normals.ply", "--light", "direction=0,0,-1")
             self.assertEqual(center, (value, value, value))
 
     def test_cut_short(self):
-        # TestBrokenFiles.cxx cuts more kinds, and behind each byte, but calls the reader alone.
+        # TestBrokenFiles.cxx cuts more kinds after each byte, but only calls the readers.
         for name, content in KINDS.items():
             whole = content if isinstance(content, bytes) else content.encode()
             extension = name[name.index("."):]
@@ -122,11 +122,11 @@ class TestReading(CommandTest):
                     continue
                 self.assertEqual(done.returncode, 0)
                 if self.read("x.pnm") != picture:
-                    self.assertEqual(extension, ".obj")  # which does not tell how much there is
+                    self.assertEqual(extension, ".obj")  # which has no counts
                 os.remove(self.path("x.pnm"))
 
     def test_sizes_that_cannot_be(self):
-        # VTK's XML readers believe these, and crash.
+        # VTK's XML readers trust these, and crash.
         text = make.vtp(TETRAHEDRON)
         for old, new in (('NumberOfPolys="4"', 'NumberOfPolys="4611686018427387904"'),
                          ('NumberOfPoints="4"', 'NumberOfPoints="6148914691236517206"'),
@@ -149,10 +149,10 @@ class TestReading(CommandTest):
                 self.write(name, text)
                 line = self.fail_to_read(name)
                 self.assertIn(words, line)
-                self.assertNotIn("whole copy", line)  # which would have the same cell
+                self.assertNotIn("whole copy", line)  # a whole copy would have the same cell
 
     def test_more_points_than_its_type_has(self):
-        # The second cell, of several.
+        # The second of several cells.
         cells = [(0, 1, 2), (1, 2, 3, 0), (0, 1, 3)]
         for name, text in (("wrong.vtk", make.vtk_grid(CUBE, cells, 5)),
                            ("wrong.vtu", make.vtu(CUBE, cells, 5))):
@@ -161,7 +161,7 @@ class TestReading(CommandTest):
                           self.fail_to_read(name))
 
     def test_polyhedra_without_faces(self):
-        # VTK's filters follow the list of faces wherever it leads.
+        # VTK's filters follow the list of faces without checks.
         self.write("wrong.vtu", make.vtu(CUBE, [(0, 1, 2, 4)], 42))
         self.assertIn("its cell 0 of type 42 (vtkPolyhedron) has no faces; correct",
                       self.fail_to_read("wrong.vtu"))
@@ -218,7 +218,7 @@ class TestReading(CommandTest):
                            ("d.vtu", make.vtu(CUBE, [tuple(range(8))], VOXEL))):
             expected = self.picture(self.write(name, text))
             self.write(name, text.rstrip("\n"))
-            self.assertEqual(self.picture(name), expected)  # and nothing is said
+            self.assertEqual(self.picture(name), expected)  # without any message
 
     def test_another_type_inside(self):
         multiblock = ('<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
@@ -241,7 +241,7 @@ class TestReading(CommandTest):
             self.assertNotRegex(line, "whole|complete")
 
     def test_keywords_in_small_letters(self):
-        # As VTK's reader takes them; and a title that looks like the line behind it.
+        # VTK's reader accepts these; there is also a title that looks like the line after it.
         for content in (make.vtk_text(TETRAHEDRON).replace("ASCII", "ascii"),
                         make.vtk_binary(TETRAHEDRON).replace(b"test\n", b"ASCII\n")):
             content = content if isinstance(content, bytes) else content.encode()
@@ -251,7 +251,7 @@ class TestReading(CommandTest):
             self.assertIn("at cell 3 of 4", self.fail_to_read("small.vtk"))
 
     def test_cut_short_behind_the_cells(self):
-        # VTK's reader says this as a warning and goes on.
+        # VTK's reader only warns of this and continues.
         normals = "POINT_DATA 4\nNORMALS n float\n" + "0 0 1\n" * 4
         self.write("cut.vtk", make.vtk_text(TETRAHEDRON) + normals[:-9])
         self.fail_to_read("cut.vtk")

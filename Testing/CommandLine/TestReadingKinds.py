@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""OBJ, PLY and STL files as people have them, from outside: the right picture, or one true line.
-TestReadObj.cxx, TestObjNormals.cxx, TestReadPly.cxx and TestReadStl.cxx have the details."""
+"""OBJ, PLY and STL files as other programs write them: the command gives the right picture, or one correct
+line. TestReadObj.cxx, TestObjNormals.cxx, TestReadPly.cxx and TestReadStl.cxx have the details."""
 
 import unittest
 
@@ -11,7 +11,7 @@ from commandline import CommandTest, SQUARE, TETRAHEDRON
 VIEW = ("--direction", "1,2,3", "--size", "64x48")
 BLACK, WHITE = (0, 0, 0), (255, 255, 255)
 
-# Corners (0, 0), (1, 0), (0, 1), (1, 1) in the plane z = 0, as text of an OBJ file.
+# The corners (0, 0), (1, 0), (0, 1), (1, 1) in the plane z = 0, as OBJ text.
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
 FACE_ON = ("--camera-position", "0.5,0.5,9", "--focal-point", "0.5,0.5,0", "--parallel-scale", "0.5")
 
@@ -20,7 +20,7 @@ PLY_CORNERS = ("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nprope
 PLY_FACES = "element face %d\nproperty list uchar int vertex_indices\n"
 PLY_STRIPS = "element tristrips 1\nproperty list int int vertex_indices\n"
 
-# Two sides of a roof, at a right angle.
+# The two sides of a roof, at a right angle.
 ROOF = "v 0 0 0\nv 1 0 0\nv 0 1 -1\nv 1 1 -1\nv 0 -1 -1\nv 1 -1 -1\n"
 
 
@@ -78,7 +78,7 @@ class TestReadingKinds(CommandTest):
                     self.assertEqual(rows, [[WHITE] * 9] * 9)
 
     def test_smoothing_groups_are_normals(self):
-        # s 1 across the ridge as vn would say it; without either the picture is another.
+        # s 1 across the ridge has the effect of the same normals as vn; without either the picture differs.
         faces = "f 1 2 4 3\nf 2 1 5 6\n"
         view = ("--direction", "0.3,0,1", "--size", "32x32", "--light", "direction=0,-1,-1")
         smooth = self.picture("s.obj", ROOF + "s 1\n" + faces, *view)
@@ -93,7 +93,7 @@ class TestReadingKinds(CommandTest):
         self.assertNotEqual(smooth, flat)
 
     def test_no_crack_where_points_have_several_normals(self):
-        # Each corner has a normal of its own, all of them the same: no pixel differs.
+        # Each corner has its own normal, but all are the same, so no pixel differs.
         points, faces = TETRAHEDRON
         text = make.obj((points, [])) + "".join("vn 0 0 1\n" for _ in range(12))
         own = text + "".join("f %s\n" % " ".join("%d//%d" % (i + 1, 3 * k + c + 1)
@@ -104,7 +104,7 @@ class TestReadingKinds(CommandTest):
         self.assertEqual(self.picture("own.obj", own), self.picture("one.obj", one))
 
     def test_double_coordinates_of_text(self):
-        # 1e7 and a triangle of 1e-3 beside it: as float it would have no extent.
+        # 1e7 and beside it a triangle of size 1e-3: as floats all its points would coincide.
         points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
         view = ("--camera-position", "10000000.00025,10000000.00025,1", "--focal-point",
                 "10000000.00025,10000000.00025,0", "--parallel-scale", "0.0001")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture tells how it was drawn, and is drawn again from that: the same file."""
+"""A picture records how it was rendered, and can be rendered again from that: the same file."""
 
 import os
 import struct
@@ -13,7 +13,7 @@ from commandline import CommandTest, SQUARE, TETRAHEDRON, obj
 CONTRACT = "Lambent image contract"
 COMMAND_KEY = "Lambent command"
 
-# Every option about the scene.
+# All options that describe the scene.
 SCENES = (
     (),
     ("--size", "31x17", "--background", "0.1,0.2,1", "--direction", "1,0.5,2", "--view-angle", "20",
@@ -40,7 +40,7 @@ def texts(png):
 
 
 def with_text(png, key, value):
-    """The file with another text under a key, or without it."""
+    """The file with another text for a key, or without the key."""
     result = png[:8]
     for kind, data in chunks(png):
         if kind == b"tEXt" and data.startswith(key.encode() + b"\0"):
@@ -92,7 +92,7 @@ class TestRecreating(CommandTest):
                        env={**os.environ, "PATH": self.path("bin") + ":" + os.environ["PATH"]})
         self.assertEqual(self.read("b.png"), drawn)
 
-    # The default was another one when the command was not yet written with it.
+    # Older versions of the command had another default and did not record it.
     def test_a_picture_that_does_not_name_its_view_is_seen_from_plus_z(self):
         for more in ("", " --parallel-scale 1.5 --focal-point 0.5,0,0"):
             drawn = self.draw("--size", "30x20", "--direction", "0,0,1", *more.split())
@@ -102,11 +102,11 @@ class TestRecreating(CommandTest):
             done = self.run_command("--recreate", "a.png")
             self.assertEqual(done.returncode, 0)
             self.assertIn(b"all of 600 pixels are the same", done.stdout)
-            # From now on it does; so it is the file that was drawn in the beginning.
+            # The new picture records it, so it is the file that was rendered first.
             self.succeed("--recreate", "a.png", "-o", "b.png", "--quiet")
             self.assertEqual(self.read("b.png"), drawn)
 
-    # There was one sample a pixel when the command was not yet written with their number.
+    # Older versions of the command used one sample per pixel and did not record the number.
     def test_a_picture_that_does_not_name_its_samples_has_one(self):
         drawn = self.draw("--size", "30x20", "--supersampling", "1")
         command = texts(drawn)[COMMAND_KEY].replace(" --supersampling 1", "")
@@ -153,7 +153,7 @@ class TestRecreating(CommandTest):
             self.write("c.png", with_text(drawn, key, None))
             self.assertIn("does not record", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.write("c.png", drawn[:-20])
-        self.assertIn("cut short", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
+        self.assertIn("not a complete PNG file", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.assertIn("no such file", self.fail_with(1, "--recreate", "none.png"))
 
     def test_wrong_usage(self):

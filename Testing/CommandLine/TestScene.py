@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Camera, lights and surface do what their options say; expected values are worked out by hand.
+"""Camera, lights and surface do what their options say; expected values are calculated by hand.
 
-The square spans -1..1 in x and y at z = 0. A picture has 9 x 9 pixels, so that one of them has its
-centre on the axis of the view.
+The square covers -1..1 in x and y at z = 0. A picture has 9 x 9 pixels, so that the centre of one of them
+is on the view axis.
 """
 
 import math
@@ -27,7 +27,7 @@ class TestCamera(CommandTest):
         self.write("mesh.obj", obj(TETRAHEDRON))
 
     def covered(self, *arguments):
-        """Which of the columns and rows show the square, unlit so that every hit is white."""
+        """The columns and rows that show the square, unlit so that every hit is white."""
         if "--camera-position" not in arguments:
             arguments += ("--direction", "0,0,1")
         rows = self.pixels("square.obj", "--shading", "unlit", *arguments)
@@ -40,29 +40,29 @@ class TestCamera(CommandTest):
         return self.read("picture.pnm")
 
     def test_parallel_scale(self):
-        # The picture is 2 s high, a pixel 2 s / 9; pixel i has its centre at (i - 4) 2 s / 9.
+        # The picture is 2 s high, a pixel 2 s / 9; the centre of pixel i is at (i - 4) 2 s / 9.
         self.assertEqual(self.covered("--parallel-scale", "4.5"), ([3, 4, 5], [3, 4, 5]))
         self.assertEqual(self.covered("--parallel-scale", "2"), ([2, 3, 4, 5, 6], [2, 3, 4, 5, 6]))
         self.assertEqual(self.covered("--parallel-scale", "9", "--zoom", "2"),
                          self.covered("--parallel-scale", "4.5"))
 
     def test_perspective_position(self):
-        # 90 degrees at a distance of 4.5: the view is 9 high there, a pixel 1.
+        # 90 degrees at a distance of 4.5: the view is 9 high there, and a pixel 1.
         near = ("--camera-position", "0,0,4.5", "--view-angle", "90")
         self.assertEqual(self.covered(*near), ([3, 4, 5], [3, 4, 5]))
-        # Towards another point at the same depth: the square moves to the left and down.
+        # Looking at another point at the same depth moves the square to the left and down.
         self.assertEqual(self.covered("--camera-position", "2,1,4.5", "--focal-point", "2,1,0",
                                       "--view-angle", "90"), ([1, 2, 3], [4, 5, 6]))
 
     def test_supersampling(self):
-        # The square ends in the middle of the pixels 2 and 6: half of their samples hit it.
+        # The square ends at the centre of the pixels 2 and 6: half of their samples hit it.
         view = ("square.obj", "--shading", "unlit", "--direction", "0,0,1", "--parallel-scale",
                 str(9 / 4))
         grey = (byte(0.5),) * 3
         for samples in ("2", "4", "16"):
             row = self.pixels(*view, "--supersampling", samples)[4]
             self.assertEqual(row, [BLACK] * 2 + [grey] + [WHITE] * 3 + [grey] + [BLACK] * 2)
-        # Three samples unless told otherwise.
+        # The default is three samples.
         self.succeed(*view, "-o", "a.pnm", "--size", "9x9")
         self.succeed(*view, "-o", "b.pnm", "--size", "9x9", "--supersampling", "3")
         self.assertEqual(self.read("a.pnm"), self.read("b.pnm"))
@@ -79,7 +79,7 @@ class TestCamera(CommandTest):
         self.assertEqual(self.picture("--direction", "0,0,5"), self.picture("--direction", "0,0,1"))
 
     def test_default_frames_the_bounding_sphere(self):
-        # Radius sqrt(2), so the distance is sqrt(2) / sin(15 degrees).
+        # The radius is sqrt(2), so the distance is sqrt(2) / sin(15 degrees).
         distance = math.sqrt(2) / math.sin(math.radians(15))
         self.assertEqual(self.covered(),
                          self.covered("--camera-position", "0,0,%r" % distance))
@@ -131,7 +131,7 @@ class TestLight(CommandTest):
         self.write("square.obj", obj(SQUARE))
 
     def lit(self, *arguments):
-        # From far away, narrow: the ray through the middle pixel is the z axis.
+        # From a distance, with a small angle: the ray through the central pixel is the z axis.
         return self.center("square.obj", "--camera-position", "0,0,10", *arguments)
 
     def test_headlight_is_the_default(self):
@@ -145,8 +145,8 @@ class TestLight(CommandTest):
         self.assertEqual(self.lit("--light", "direction=4,0,-3"), (value, value, value))
 
     def test_direction_across_a_ridge(self):
-        # Its left side has the normal (-1, 0, 1), its right side (1, 0, 1). Light that travels to
-        # the right falls straight on the left side and along the right one.
+        # The left side has the normal (-1, 0, 1), the right side (1, 0, 1). Light that travels to the
+        # right falls on the left side and grazes the right one.
         points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
         self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
         row = self.pixels("ridge.obj", "--direction", "0,0,1", "--parallel-scale", "0.9",
@@ -154,9 +154,9 @@ class TestLight(CommandTest):
         self.assertEqual(row[:4] + row[5:], [WHITE] * 4 + [BLACK] * 4)
 
     def test_position(self):
-        value = byte(2 / 3)  # (1,2,2) has length 3
+        value = byte(2 / 3)  # the length of (1,2,2) is 3
         self.assertEqual(self.lit("--light", "position=1,2,2"), (value, value, value))
-        # It shines in all directions: behind it, too.
+        # It shines in all directions, also backwards.
         self.assertEqual(self.lit("--light", "position=0,0,1;focal=0,0,2"), WHITE)
 
     def test_cone(self):
@@ -222,8 +222,8 @@ class TestSurface(CommandTest):
                                   "direction=0,0,1"), (byte(0.2), byte(0.4), byte(0.6)))
 
     def test_flat_and_smooth(self):
-        # A ridge along y, its sides at 45 degrees: flat, both sides have the cosine sqrt(1/2);
-        # smooth, the ridge itself has a normal along z. It is an edge of 90 degrees.
+        # A ridge along y with sides at 45 degrees. Flat, both sides have the cosine sqrt(1/2); smooth,
+        # the ridge itself has a normal along z. It is an edge of 90 degrees.
         points = [(-1, -1, -1), (0, -1, 0), (1, -1, -1), (-1, 1, -1), (0, 1, 0), (1, 1, -1)]
         self.write("ridge.obj", obj((points, [(0, 1, 4, 3), (1, 2, 5, 4)])))
         view = ("ridge.obj", "--direction", "0,0,1", "--parallel-scale", "0.9",

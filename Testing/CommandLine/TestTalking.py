@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command says: nothing, unless it is asked, something is odd, or it takes its time."""
+"""The command's messages: none, unless they are requested, there is a problem, or it takes long."""
 
 import os
 import pty
@@ -19,12 +19,12 @@ class TestTalking(CommandTest):
         self.write("square.obj", obj(SQUARE))
 
     def on_terminal(self, *arguments):
-        """What appears on a terminal that is the command's standard error."""
+        """The output on a terminal that is the command's standard error."""
         try:
             leader, follower = pty.openpty()
         except OSError as error:  # some containers have none
             self.skipTest(f"no terminal can be made here: {error}")
-        # Without vectors what is to be long takes seconds on any machine.
+        # Without vectors, long work takes seconds on any machine.
         process = subprocess.Popen([COMMAND, *arguments], cwd=self.folder, stderr=follower,
                                    stdout=subprocess.DEVNULL,
                                    env={**os.environ, "LAMBENT_SIMD": "plain"})
@@ -33,7 +33,7 @@ class TestTalking(CommandTest):
         while True:
             try:
                 part = os.read(leader, 4096)
-            except OSError:  # the terminal's other end is closed
+            except OSError:  # the other end of the terminal is closed
                 break
             if not part:
                 break
@@ -49,7 +49,7 @@ class TestTalking(CommandTest):
         shown = self.on_terminal(*self.LONG)
         steps = shown.split(ERASE)
         self.assertEqual(steps[0], "")
-        self.assertEqual(steps[-1], "")  # erased at the end
+        self.assertEqual(steps[-1], "")  # the bar is erased at the end
         self.assertGreater(len(steps), 2)
         for step in steps[1:-1]:
             self.assertRegex(step, r"\A(\[#* *\] +\d+ % [a-z].*)?\Z")

@@ -17,7 +17,7 @@ using namespace lambent::command;
 namespace
 {
 
-/// The bits as strtod() has them, and as many bytes taken.
+/// Expects the bits of strtod(), and the same number of bytes read.
 void ExpectAsStrtod(const std::string& text)
 {
   double value = 0;
@@ -45,7 +45,7 @@ TEST(TextNumber, NumbersOfAllForms)
   }
 }
 
-TEST(TextNumber, WhatIsBeyondADouble)
+TEST(TextNumber, NumbersBeyondADouble)
 {
   for (const char* const text : { "1e309", "-1e309", "1e99999999999", "inf", "-Infinity" })
   {
@@ -57,7 +57,7 @@ TEST(TextNumber, WhatIsBeyondADouble)
   EXPECT_TRUE(std::isnan(value));
 }
 
-TEST(TextNumber, WhatIsNone)
+TEST(TextNumber, InvalidNumbers)
 {
   for (const std::string text :
     { "", "-", "+", ".", "-.", "e5", ".e5", "x", " 1", "--1", "nothing" })

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command line accepts, and what it answers to wrong usage: status 2, one line, a hint."""
+"""What the command line accepts, and the answer to wrong usage: status 2, one line, a hint."""
 
 import unittest
 
@@ -98,7 +98,7 @@ class TestUsage(CommandTest):
         second = self.succeed("--view-up=-0.5,-1,0", "--camera-position=-.5,0,-5",
                               "--light", "direction=0,0,1", "square.obj", "--size", "8x8",
                               "-o", "-")
-        self.assertEqual(first[:8], second[:8])  # both a PNG: no option has taken the input
+        self.assertEqual(first[:8], second[:8])  # both are PNG: no option has consumed the input
 
     def test_an_input_may_follow_a_light(self):
         with_light_last = self.succeed("square.obj", "-o", "-", "--size", "8x8",

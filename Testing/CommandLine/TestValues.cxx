@@ -79,8 +79,8 @@ TEST(Values, PositionalLight)
   EXPECT_EQ(light.focus, (Triple{ 4, 5, 6 }));
 }
 
-// Colons survive the lists of CMake and need no quotes in a shell.
-TEST(Values, AttenuationHasToLeaveSomething)
+// CMake's lists preserve colons, and shells need no quotes around them.
+TEST(Values, AttenuationMustBePositive)
 {
   for (const char* text : { "0,0,0", "0,-1,0", "-1,0,0" })
   {
@@ -109,12 +109,12 @@ TEST(Values, LightDefaults)
   const LightValue light = ParseLight("position=1,2,3");
   EXPECT_EQ(light.color, (Triple{ 1, 1, 1 }));
   EXPECT_EQ(light.intensity, 1);
-  EXPECT_GE(light.cone, 90); // in all directions
+  EXPECT_GE(light.cone, 90); // the light shines in all directions
   EXPECT_FALSE(light.hasFocus);
   EXPECT_EQ(ParseLight("color=red;direction=0,0,-1").kind, LightValue::Kind::Directional);
 }
 
-TEST(Values, LightsThatMakeNoSense)
+TEST(Values, InvalidLights)
 {
   for (const char* text : { "", "position", "color=red", "position=1,2,3;",
          "position=1,2,3:", ":position=1,2,3", "position=1,2,3::color=red", "position:1,2,3",

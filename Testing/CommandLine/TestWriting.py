@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The picture is there whole, or what was there before still is."""
+"""The command writes a complete picture, or leaves the existing file unchanged."""
 
 import os
 import resource
@@ -47,7 +47,7 @@ class TestWriting(CommandTest):
         flat = b"".join(bytes(pixel) for row in rows for pixel in row)
         self.assertGreater(len(set(flat)), 3)
         self.draw("x.tif", "--feature-angle", "180")
-        self.assertIn(flat, self.read("x.tif"))  # not compressed, from the top as PNM
+        self.assertIn(flat, self.read("x.tif"))  # not compressed, the top row first, as in PNM
         self.draw("x.bmp", "--feature-angle", "180")
         upside_down = b"".join(bytes(reversed(pixel)) for row in reversed(rows) for pixel in row)
         self.assertTrue(self.read("x.bmp").endswith(upside_down))  # blue, green, red
@@ -119,7 +119,7 @@ class TestWriting(CommandTest):
 
     @unittest.skipIf("TSAN_OPTIONS" in os.environ, "the thread sanitizer writes files of its own")
     def test_disk_full(self):
-        """A limit on the size of files stands in for a full disk."""
+        """A limit on the size of files simulates a full disk."""
         for name in ("x.png", "x.jpg", "x.tif", "x.bmp", "x.pnm", "x.vti"):
             self.draw(name)
             whole = len(self.read(name))
@@ -137,7 +137,7 @@ class TestWriting(CommandTest):
                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             part = ".lambent-%d.part" % process.pid
             deadline = time.monotonic() + 60
-            seen = 0  # at the start it is there for a moment, to see whether it can be
+            seen = 0  # at the start it exists briefly, as a test of whether it can be written
             while seen < 5 and process.poll() is None and time.monotonic() < deadline:
                 seen = seen + 1 if part in self.files() else 0
                 time.sleep(0.01)

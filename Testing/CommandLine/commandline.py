@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the command share: running it, small meshes, reading pictures."""
+"""Shared by the tests of the command: running it, small meshes, reading pictures."""
 
 import os
 import shutil
@@ -11,19 +11,19 @@ import unittest
 
 COMMAND = os.environ["LAMBENT_COMMAND"]
 
-# A square of side 2 in the plane z = 0 about the origin, seen from +z in counter-clockwise order.
+# A square of side 2 in the plane z = 0 about the origin, counter-clockwise when seen from +z.
 SQUARE = ([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(0, 1, 2), (0, 2, 3)])
 
-# A tetrahedron with faces of different brightness from every side.
+# A tetrahedron whose faces have different brightness from every side.
 TETRAHEDRON = ([(0, 0, 0), (2, 0, 0.5), (0.25, 1.5, 0), (0.5, 0.5, 1.75)],
                [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
 
 
 class CommandTest(unittest.TestCase):
-    """Runs the command in an empty folder of its own."""
+    """Runs the command in a new, empty folder."""
 
     def setUp(self):
-        self.folder = tempfile.mkdtemp(prefix="lambent ", dir=os.getcwd())  # with a space
+        self.folder = tempfile.mkdtemp(prefix="lambent ", dir=os.getcwd())  # the name has a space
         self.addCleanup(shutil.rmtree, self.folder)
 
     def path(self, name):
@@ -47,14 +47,14 @@ class CommandTest(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, **keywords)
 
     def succeed(self, *arguments, **keywords):
-        """The command does its work and says nothing."""
+        """The command succeeds without any message."""
         done = self.run_command(*arguments, **keywords)
         self.assertEqual((done.returncode, done.stderr), (0, b""), arguments)
         return done.stdout
 
     def fail_with(self, status, *arguments, **keywords):
-        """The command fails, says so in one line (and a hint after wrong usage), and leaves no
-        file. Returns the line."""
+        """The command fails with one line (and a hint after wrong usage) and leaves no file. Returns the
+        line."""
         before = self.files()
         done = self.run_command(*arguments, **keywords)
         lines = done.stderr.decode().splitlines()
@@ -68,7 +68,7 @@ class CommandTest(unittest.TestCase):
         return lines[0]
 
     def pixels(self, *arguments):
-        """Draws at 9 x 9, one sample a pixel unless the arguments name more, and returns rows of
+        """Renders 9 x 9 pixels with one sample each, unless the arguments set more. Returns rows of
         (r, g, b), the top row first."""
         if "--supersampling" not in arguments:
             arguments += ("--supersampling", "1")
@@ -168,7 +168,7 @@ def vtk_binary(mesh):
 
 
 def vtk_grid(points, cells, cell_type):
-    """Volume cells, all of one type, in the legacy format."""
+    """Volume cells of a single type, in the legacy format."""
     return ("# vtk DataFile Version 3.0\ntest\nASCII\nDATASET UNSTRUCTURED_GRID\n" +
             "POINTS %d float\n%s\n" % (len(points), flat_list(points)) +
             "CELLS %d %d\n" % (len(cells), sum(len(cell) + 1 for cell in cells)) +

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-/// An image of these values, padded with zeros.
+/// An image with these values, padded with zeros.
 template <typename T>
 vtkSmartPointer<vtkImageData> values(
   int width, int height, int components, const std::vector<double>& list = {})
@@ -38,7 +38,7 @@ struct Change
   int x, y, channel, value;
 };
 
-/// A picture whose channels are all 100, except for these changes.
+/// A picture in which all channels are 100, except for these changes.
 inline vtkSmartPointer<vtkImageData> grey(
   int width, int height, const std::vector<Change>& changes = {})
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The assertions pass and fail where they should, with the comparison's message.
+// The assertions pass and fail as they should, with the comparison's message.
 
 #include "ComparedImages.h"
 #include "LambentImageAssertions.h"
@@ -12,7 +12,7 @@
 namespace
 {
 
-// Statics, since EXPECT_FATAL_FAILURE runs its statement in a function of its own.
+// Static functions, since EXPECT_FATAL_FAILURE runs its statement in a separate function.
 vtkImageData* plain()
 {
   static const auto image = grey(7, 5);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the comparison says of pictures whose differences are known, and that it can fail on a
-// single bit.
+// The results of comparing pictures with known differences. A single bit must be enough to fail.
 
 #include "ComparedImages.h"
 
@@ -74,7 +73,7 @@ TEST(ImageComparison, EachSingleChannelCounts)
 
 TEST(ImageComparison, SeveralPixelsAreCountedAndFramed)
 {
-  // Two channels of (5, 1), one of (2, 2), of (3, 2) and of (4, 3): 3 and 4, 10, 2 and 1 apart.
+  // Two channels of (5, 1) differ by 3 and 4; one of (2, 2) by 10, of (3, 2) by 2, of (4, 3) by 1.
   const auto c = compare(
     grey(7, 5,
       { { 5, 1, 0, 103 }, { 5, 1, 2, 96 }, { 2, 2, 1, 90 }, { 3, 2, 1, 102 }, { 4, 3, 0, 101 } }),
@@ -86,7 +85,7 @@ TEST(ImageComparison, SeveralPixelsAreCountedAndFramed)
   EXPECT_STREQ(c->GetMessage(), "4 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)");
 }
 
-TEST(ImageComparison, PictureAndBaselineMayChangePlaces)
+TEST(ImageComparison, PictureAndBaselineMayBeSwapped)
 {
   const auto a = grey(3, 3, { { 1, 1, 1, 250 } }), b = grey(3, 3);
   EXPECT_EQ(compare(a, b)->GetMaximumDifference(), 150.0);
@@ -105,7 +104,7 @@ TEST(ImageComparison, ToleranceIsTheLargestDifferenceThatPasses)
     "exceeded");
 }
 
-TEST(ImageComparison, RootMeanSquareIsHeldAgainstTheTolerance)
+TEST(ImageComparison, RootMeanSquareIsComparedWithTheTolerance)
 {
   const auto a = grey(2, 2, { { 1, 1, 1, 106 } }), b = grey(2, 2); // sqrt(36 / 12)
   const int metric = vtkLambentImageComparison::ROOT_MEAN_SQUARE;
@@ -118,7 +117,7 @@ TEST(ImageComparison, RootMeanSquareIsHeldAgainstTheTolerance)
     "1.73205; the tolerance of 1 is exceeded");
 }
 
-TEST(ImageComparison, AnotherSizeFailsAndBothAreNamed)
+TEST(ImageComparison, DifferentSizesFailAndAreNamed)
 {
   const auto c = compare(grey(7, 5), grey(5, 7), 255.0);
   EXPECT_FALSE(c->GetPassed());
@@ -139,7 +138,7 @@ TEST(ImageComparison, OtherComponentsAndTypesFail)
   EXPECT_FALSE(compare(rgb, values<float>(2, 2, 3), 255.0)->GetPassed());
 }
 
-TEST(ImageComparison, OriginSpacingAndPlaceDoNotCount)
+TEST(ImageComparison, OriginSpacingAndExtentDoNotMatter)
 {
   const auto a = grey(4, 3, { { 2, 1, 0, 7 } }), b = grey(4, 3);
   b->SetExtent(10, 13, -5, -3, 2, 2);
@@ -150,7 +149,7 @@ TEST(ImageComparison, OriginSpacingAndPlaceDoNotCount)
   expectExtent(c, 2, 2, 1, 1);
 }
 
-TEST(ImageComparison, NotANumberIsItself)
+TEST(ImageComparison, NaNEqualsNaN)
 {
   const auto a = values<float>(3, 1, 1, { 1.0, nan, infinity });
   EXPECT_TRUE(compare(a, values<float>(3, 1, 1, { 1.0, nan, infinity }))->GetPassed());
@@ -176,7 +175,7 @@ TEST(ImageComparison, IntegersOfTheWholeRange)
   const double low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
   const auto c = compare(values<int>(1, 1, 1, { low }), values<int>(1, 1, 1, { high }));
   EXPECT_EQ(c->GetMaximumDifference(), 4294967295.0);
-  EXPECT_EQ(c->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), high); // all it can hold
+  EXPECT_EQ(c->GetOutput()->GetScalarComponentAsDouble(0, 0, 0, 0), high); // the type's maximum
 }
 
 TEST(ImageComparison, OutputIsTheAbsoluteDifference)
@@ -223,7 +222,7 @@ TEST(ImageComparison, HighlightShowsTheSmallestDifference)
 }
 
 // PrintSelf() names every setting and result, with its value.
-TEST(ImageComparison, PrintSelfIsWhole)
+TEST(ImageComparison, PrintSelfIsComplete)
 {
   const auto printed = [](vtkLambentImageComparison* c)
   {

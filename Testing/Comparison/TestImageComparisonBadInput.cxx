@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What cannot be compared has not passed, whatever was compared before.
+// An impossible comparison does not pass, whatever was compared before.
 
 #include "ComparedImages.h"
 
@@ -50,8 +50,7 @@ TEST(ImageComparisonBadInput, VolumesAreNotPictures)
   const auto c = compare(volume, volume);
   EXPECT_FALSE(c->GetPassed());
   EXPECT_STREQ(c->GetMessage(),
-    "the images are 2 x 2 x 2, 1 component of float; only a single slice is a "
-    "picture");
+    "the images are 2 x 2 x 2, 1 component of float; a picture has a single slice");
 }
 
 TEST(ImageComparisonBadInput, NoScalars)
@@ -84,7 +83,7 @@ TEST(ImageComparisonBadInput, BitsAreNotNumbers)
   expectFailure(image, image, "cannot be compared");
 }
 
-TEST(ImageComparisonBadInput, WrongToleranceLeavesTheOldOne)
+TEST(ImageComparisonBadInput, WrongToleranceKeepsTheOldOne)
 {
   vtkNew<vtkLambentImageComparison> comparison;
   comparison->SetTolerance(2.0);
@@ -98,8 +97,8 @@ TEST(ImageComparisonBadInput, WrongToleranceLeavesTheOldOne)
   EXPECT_EQ(messages.errors().size(), 3u);
 }
 
-// The tracer's own pass fails, early or late, and the comparison is not asked.
-TEST(ImageComparisonBadInput, InputThatFailsLeavesNothingPassed)
+// The tracer fails in an early or a late pass, and the comparison is not executed.
+TEST(ImageComparisonBadInput, FailedInputsDoNotPass)
 {
   for (const bool isLate : { false, true })
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A result is never older than the last request, whoever made it and whatever came of it.
+// A result is never older than the last request, whoever made it and whether or not it succeeded.
 
 #include "ComparisonRequests.h"
 
@@ -54,7 +54,7 @@ protected:
   vtkNew<vtkLambentImageComparison> Comparison;
 };
 
-TEST_F(ImageComparisonRequests, EachLeadsToAResult)
+TEST_F(ImageComparisonRequests, EachGivesAResult)
 {
   for (const auto& [name, request] : requests())
   {
@@ -66,12 +66,12 @@ TEST_F(ImageComparisonRequests, EachLeadsToAResult)
     request(this->Comparison);
     EXPECT_FALSE(this->Comparison->GetPassed());
     EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
-    request(this->Comparison); // once more, although nothing has changed
+    request(this->Comparison); // again, although nothing has changed
     EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
   }
 }
 
-TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
+TEST_F(ImageComparisonRequests, AFailedInputLeavesNoResult)
 {
   const std::pair<const char*, Stage*> stages[] = { { "the picture", this->Picture },
     { "behind the picture", this->Behind }, { "the baseline", this->Baseline } };
@@ -81,7 +81,7 @@ TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
     {
       for (const int failure : { INFORMATION, DATA })
       {
-        for (const int value : { 0, 7 }) // whether it had passed before
+        for (const int value : { 0, 7 }) // whether or not it passed before
         {
           SCOPED_TRACE(std::string(name) + ", pass " + std::to_string(failure) + ", " + where);
           this->Picture->SetValue(value);
@@ -97,11 +97,11 @@ TEST_F(ImageComparisonRequests, AnInputThatFailsLeavesNothing)
   }
 }
 
-TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
+TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNoResult)
 {
   vtkNew<vtkTrivialProducer> mesh, blocks;
   mesh->SetOutput(vtkNew<vtkPolyData>());
-  vtkNew<vtkMultiBlockDataSet> twice; // block by block the last one alone would count
+  vtkNew<vtkMultiBlockDataSet> twice; // block by block, only the last one would count
   twice->SetBlock(0, grey(4, 3, { { 1, 1, 1, 9 } }));
   twice->SetBlock(1, grey(4, 3));
   blocks->SetOutput(twice);
@@ -121,8 +121,8 @@ TEST_F(ImageComparisonRequests, AMissingOrWrongInputLeavesNothing)
   }
 }
 
-// The other input of a filter downstream fails, and the comparison is not asked for data.
-TEST_F(ImageComparisonRequests, FailuresBesideItLeaveNothing)
+// The other input of a downstream filter fails, so the comparison is not asked for data.
+TEST_F(ImageComparisonRequests, FailuresOfOtherInputsLeaveNoResult)
 {
   vtkNew<Stage> other;
   vtkNew<Pair> pair;
@@ -136,7 +136,7 @@ TEST_F(ImageComparisonRequests, FailuresBesideItLeaveNothing)
   this->ExpectNothing("nothing has been compared since an input or a setting changed");
 }
 
-TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNothingOld)
+TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNoOldResult)
 {
   const auto ask = [this](const char* name, const Request& request)
   {
@@ -155,7 +155,7 @@ TEST_F(ImageComparisonRequests, RequestsWithoutDataLeaveNothingOld)
     [](vtkLambentImageComparison* c) { Pipeline::SafeDownCast(c->GetExecutive())->UpdateData(0); });
 }
 
-TEST_F(ImageComparisonRequests, SettingsCountAsWell)
+TEST_F(ImageComparisonRequests, SettingsMatterToo)
 {
   this->Picture->SetValue(7);
   this->Comparison->SetTolerance(8);
@@ -168,8 +168,8 @@ TEST_F(ImageComparisonRequests, SettingsCountAsWell)
   EXPECT_EQ(this->Comparison->GetMaximumDifference(), 7.0);
 }
 
-// Files that vanish. Of the readers only vtkXMLImageDataReader and vtkLambentPNGReader fail; that
-// of JPEG sets an error code and passes on memory that nobody has written to.
+// The files of readers vanish. Only vtkXMLImageDataReader and vtkLambentPNGReader fail then. The
+// JPEG reader sets an error code and passes on uninitialized memory.
 template <typename Reader, typename Writer>
 void expectNothingOfAVanishedFile(const std::string& name, vtkLambentImageComparison* comparison)
 {
@@ -195,13 +195,13 @@ void expectNothingOfAVanishedFile(const std::string& name, vtkLambentImageCompar
     EXPECT_FALSE(comparison->GetPassed());
     EXPECT_TRUE(std::isnan(comparison->GetMaximumDifference())) << comparison->GetMessage();
     comparison->SetTolerance(comparison->GetTolerance() + 1);
-    comparison->Update(); // goes as far as to compare anew
+    comparison->Update(); // this compares again
     EXPECT_FALSE(comparison->GetPassed());
     EXPECT_TRUE(std::isnan(comparison->GetMaximumDifference())) << comparison->GetMessage();
   }
 }
 
-TEST_F(ImageComparisonRequests, ReadersThatFailLeaveNothing)
+TEST_F(ImageComparisonRequests, FailedReadersLeaveNoResult)
 {
   expectNothingOfAVanishedFile<vtkXMLImageDataReader, vtkXMLImageDataWriter>(
     "vanished.vti", this->Comparison);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The comparison takes numbers of every type, and however they lie in memory.
+// The comparison accepts numbers of every type, in any memory layout.
 
 #include "ComparedImages.h"
 
@@ -16,7 +16,7 @@
 namespace
 {
 
-// In rows and columns of which both have their share.
+// Differences in several rows and columns.
 template <typename T>
 void expectNumbers()
 {
@@ -43,13 +43,13 @@ void expectNumbersOfEach()
   (expectNumbers<T>(), ...);
 }
 
-TEST(ImageComparisonTypes, EveryTypeOfNumbers)
+TEST(ImageComparisonTypes, EveryNumberType)
 {
   expectNumbersOfEach<char, signed char, unsigned char, short, unsigned short, int, unsigned int,
     long, unsigned long, long long, unsigned long long, float, double>();
 }
 
-TEST(ImageComparisonTypes, TheLargestValueIsNamedWhereItMeansSomething)
+TEST(ImageComparisonTypes, TheLargestValueIsNamedIfMeaningful)
 {
   const auto message = [](const vtkSmartPointer<vtkImageData>& a, vtkImageData* b)
   { return std::string(compare(a, b)->GetMessage()); };
@@ -62,8 +62,8 @@ TEST(ImageComparisonTypes, TheLargestValueIsNamedWhereItMeansSomething)
   EXPECT_EQ(message(values<float>(1, 1, 1, { 5 }), values<float>(1, 1, 1)), differ + first);
 }
 
-// Of grey with an alpha channel the three colours show the larger of the two differences.
-TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
+// For grey with an alpha channel, the three colours show the larger of the two differences.
+TEST(ImageComparisonTypes, HighlightOfGreyAndInfinity)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto highlighted = [](int components, const std::vector<double>& list)
@@ -87,8 +87,8 @@ TEST(ImageComparisonTypes, HighlightOfGreyAndOfInfinity)
     highlighted(3, { 1, 0, 0, infinity, 0, 0 }), (std::vector<double>{ 55, 0, 0, 255, 0, 0 }));
 }
 
-// Arrays that keep each channel by itself.
-TEST(ImageComparisonTypes, HowNumbersLieInMemoryDoesNotCount)
+// Arrays that store each channel separately.
+TEST(ImageComparisonTypes, MemoryLayoutDoesNotMatter)
 {
   const auto apart = [](vtkImageData* image)
   {

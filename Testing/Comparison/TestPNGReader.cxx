@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The reader of baselines: what vtkPNGReader gives for sound files (Testing/Python/TestPNGReader.py
-// goes through all kinds), and an answer for all others.
+// The reader of baselines gives vtkPNGReader's result for valid files
+// (Testing/Python/TestPNGReader.py tests all kinds), and a message for all others.
 
 #include "ComparedImages.h"
 
@@ -51,7 +51,7 @@ protected:
     return std::string(bytes, static_cast<std::size_t>(writer->GetResult()->GetNumberOfValues()));
   }
 
-  /// What is wrong with a file of these bytes.
+  /// The reader's message about a file with these bytes.
   std::string Problem(const std::string& bytes)
   {
     std::ofstream(this->Path, std::ios::binary) << bytes;
@@ -67,7 +67,7 @@ protected:
   fs::path Path;
 };
 
-TEST_F(PNGReader, GivesWhatVtkPNGReaderGives)
+TEST_F(PNGReader, EqualsVtkPNGReader)
 {
   for (const auto& image :
     { grey(7, 5, { { 1, 2, 0, 9 }, { 6, 4, 2, 8 } }),
@@ -92,16 +92,16 @@ TEST_F(PNGReader, GivesWhatVtkPNGReaderGives)
   }
 }
 
-TEST_F(PNGReader, CutBehindEachByteOrWithOneChanged)
+TEST_F(PNGReader, CutAfterEachByteOrWithAChangedByte)
 {
   const std::string whole = Bytes(grey(7, 5));
   for (std::size_t size = 0; size < whole.size(); ++size)
   {
     const std::string problem = this->Problem(whole.substr(0, size));
     EXPECT_EQ(problem,
-      size == 0    ? "it is empty; get a whole copy of it"
+      size == 0    ? "it is empty, so it is not a PNG file"
         : size < 8 ? "it is not a PNG file"
-                   : "the file is cut short")
+                   : "it is not a complete PNG file")
       << size;
     std::string changed = whole;
     changed[size] = static_cast<char>(changed[size] ^ 0x20);
@@ -110,11 +110,11 @@ TEST_F(PNGReader, CutBehindEachByteOrWithOneChanged)
   EXPECT_EQ(this->Problem(whole + "and more"), "");
 }
 
-TEST_F(PNGReader, FilesThatAreNone)
+TEST_F(PNGReader, MissingAndSpecialFiles)
 {
   vtkNew<vtkLambentPNGReader> reader;
   EXPECT_FALSE(reader->Read());
-  EXPECT_STREQ(reader->GetMessage(), "there is no name of a file; call SetFileName()");
+  EXPECT_STREQ(reader->GetMessage(), "there is no file name; call SetFileName()");
   const std::pair<const char*, const char*> cases[] = { { "/no/such.png",
                                                           "there is no such file; check its name" },
     { LAMBENT_BUILD_DIR, "it is a folder; name a file in it" },
@@ -127,7 +127,7 @@ TEST_F(PNGReader, FilesThatAreNone)
   }
 }
 
-TEST_F(PNGReader, UpdateReportsAnErrorAndGivesNothing)
+TEST_F(PNGReader, UpdateReportsAnErrorAndEmptiesTheOutput)
 {
   vtkNew<vtkLambentPNGReader> reader;
   ASSERT_EQ(this->Problem(Bytes(grey(7, 5))), "");
@@ -145,7 +145,7 @@ TEST_F(PNGReader, UpdateReportsAnErrorAndGivesNothing)
   EXPECT_NE(reader->GetErrorCode(), vtkErrorCode::NoError);
 }
 
-TEST_F(PNGReader, ReadLooksAgainAndUpdateTakesWhatItRead)
+TEST_F(PNGReader, ReadReadsAgainAndUpdateUsesTheResult)
 {
   ASSERT_EQ(this->Problem(Bytes(grey(7, 5))), "");
   vtkNew<vtkLambentPNGReader> reader;
@@ -153,15 +153,15 @@ TEST_F(PNGReader, ReadLooksAgainAndUpdateTakesWhatItRead)
   reader->Update();
   std::ofstream(this->Path, std::ios::binary) << Bytes(grey(3, 2));
   reader->Update();
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 35); // no pipeline looks at the file again
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 35); // Update() does not check the file
   ASSERT_TRUE(reader->Read());
   fs::remove(this->Path);
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 6);
 }
 
-// A header may claim what the file cannot hold; that much memory is not asked for.
-TEST_F(PNGReader, PixelsThatCannotBeInTheFile)
+// A header may claim more pixels than the file can hold; that memory must not be allocated.
+TEST_F(PNGReader, PixelsThatDoNotFitInTheFile)
 {
   std::string huge = Bytes(grey(7, 5));
   const std::string header("\x00\x0f\x00\x00\x00\x0f\x00\x00", 8); // 983040 x 983040
@@ -172,7 +172,7 @@ TEST_F(PNGReader, PixelsThatCannotBeInTheFile)
     this->Problem(huge), "the file is damaged: it is too short for its 983040 x 983040 pixels");
 }
 
-TEST_F(PNGReader, PrintSelfIsWhole)
+TEST_F(PNGReader, PrintSelfIsComplete)
 {
   vtkNew<vtkLambentPNGReader> reader;
   reader->SetFileName("some.png");

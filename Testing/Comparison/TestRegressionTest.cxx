@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The adapter for tests that were written for vtkTesting.
+// The adapter for tests written for vtkTesting.
 
 #include "ComparedImages.h"
 #include "LambentRegressionTest.h"
@@ -55,7 +55,7 @@ protected:
 
   void Update() { setenv("LAMBENT_UPDATE_BASELINES", "1", 1); }
 
-  /// The test has failed, twice, with these words, and the baseline is as it was.
+  /// Expects that the test fails twice with this message, and that the baseline is unchanged.
   void ExpectBaselineIsKept(const std::string& folder, const std::string& baseline)
   {
     const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
@@ -92,7 +92,7 @@ TEST_F(RegressionTest, AlgorithmIsUpdated)
   EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(noPicture)), LambentFailed);
 }
 
-TEST_F(RegressionTest, DifferentPictureFailsAndIsLeftBehind)
+TEST_F(RegressionTest, DifferentPictureFailsAndIsWritten)
 {
   const auto picture = grey(7, 5, { { 5, 1, 0, 103 } });
   EXPECT_EQ(this->Run(picture.Get()), LambentFailed);
@@ -126,7 +126,7 @@ TEST_F(RegressionTest, MissingBaselineFailsAndCanBeAccepted)
   EXPECT_EQ(this->Run(picture.Get()), LambentPassed);
 }
 
-TEST_F(RegressionTest, NothingToCompareWithIsNotRun)
+TEST_F(RegressionTest, WithoutABaselineNothingIsRun)
 {
   char name[] = "test";
   char* argv[] = { name };
@@ -136,7 +136,7 @@ TEST_F(RegressionTest, NothingToCompareWithIsNotRun)
   EXPECT_EQ(result, LambentNotRun);
 }
 
-TEST_F(RegressionTest, FolderOfTheBaselineIsLeftAlone)
+TEST_F(RegressionTest, FolderOfTheBaselineIsNotWrittenTo)
 {
   const std::string valid = (this->Folder / "valid").string();
   fs::create_directory_symlink(valid, this->Folder / "link");
@@ -149,7 +149,7 @@ TEST_F(RegressionTest, FolderOfTheBaselineIsLeftAlone)
   EXPECT_EQ(std::distance(fs::directory_iterator(valid), fs::directory_iterator()), 1);
 }
 
-// Without -T pictures go to the current folder.
+// Without -T, pictures go to the current folder.
 TEST_F(RegressionTest, CurrentFolderMayBeThatOfTheBaseline)
 {
   const fs::path before = fs::current_path();
@@ -167,13 +167,13 @@ TEST_F(RegressionTest, LinksToTheBaselineAreNotWrittenThrough)
   fs::create_hard_link(this->Baseline(), this->Folder / "square.png");
   this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
   fs::remove(this->Folder / "square.png");
-  // The baseline is the link, and what it leads to has the name of the picture.
+  // The baseline is a link, and its target has the name of the picture.
   fs::rename(this->Baseline(), this->Folder / "square.png");
   fs::create_symlink("../square.png", this->Baseline());
   this->ExpectBaselineIsKept(this->Folder.string(), this->Baseline());
 }
 
-TEST_F(RegressionTest, OnlyWhatIsWrittenIsAccepted)
+TEST_F(RegressionTest, OnlyWrittenPicturesAreAccepted)
 {
   this->Update();
   const auto refuse =
@@ -202,7 +202,7 @@ TEST_F(RegressionTest, OnlyWhatIsWrittenIsAccepted)
   EXPECT_FALSE(fs::exists(this->Folder / "new.png"));
 }
 
-TEST_F(RegressionTest, BaselinesThatCannotBeAreFailures)
+TEST_F(RegressionTest, ImpossibleBaselinesFail)
 {
   for (const std::string& baseline :
     { std::string("/proc/x/a.png"), this->Folder.string(), std::string("/dev/null"),
@@ -219,8 +219,8 @@ TEST_F(RegressionTest, CutBaselineFailsAndCanBeReplaced)
   const auto size = fs::file_size(this->Baseline());
   fs::resize_file(this->Baseline(), size - 20);
   EXPECT_EQ(this->Run(grey(7, 5).Get()), LambentFailed);
-  EXPECT_EQ(this->Said.find(
-              "The baseline '" + this->Baseline() + "' cannot be read: the file is cut short\n"),
+  EXPECT_EQ(this->Said.find("The baseline '" + this->Baseline() +
+              "' cannot be read: it is not a complete PNG file\n"),
     0u)
     << this->Said;
   EXPECT_NE(this->Said.find("accept it"), std::string::npos) << this->Said;
@@ -243,7 +243,7 @@ TEST_F(RegressionTest, UpdatingFollowsLinks)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(5, 1, 0, 0), 103.0);
 }
 
-TEST_F(RegressionTest, PicturesThatCannotBeLeftBehindAreNotNamed)
+TEST_F(RegressionTest, PicturesThatCannotBeWrittenAreNotNamed)
 {
   EXPECT_EQ(this->Run(grey(7, 5, { { 5, 1, 0, 103 } }).Get(), 0.0, "/proc/x", this->Baseline()),
     LambentFailed);
@@ -265,8 +265,8 @@ TEST_F(RegressionTest, NoPictureFails)
   EXPECT_EQ(this->Run(static_cast<vtkAlgorithm*>(noOutput)), LambentFailed);
 }
 
-// Its last picture is that of the baseline, but it cannot be drawn again.
-TEST_F(RegressionTest, AlgorithmThatFailsLeavesNothingToCompare)
+// The last picture equals the baseline, but it cannot be rendered again.
+TEST_F(RegressionTest, FailedAlgorithmsHaveNothingToCompare)
 {
   vtkNew<vtkLambentPNGReader> source;
   source->SetFileName(this->Baseline().c_str());

@@ -213,7 +213,7 @@ Outline makeMaze(RandomNumbers& random, int size)
         points.push_back({ 0.5 * x, 0.5 * y });
       }
     }
-    // Where two edges meet, run through what is between them the other way.
+    // Where two edges intersect, reverse the part of the outline between them.
     bool isSimple = false;
     for (int round = 0; round < 200 && !isSimple; ++round)
     {
@@ -231,7 +231,7 @@ Outline makeMaze(RandomNumbers& random, int size)
         }
       }
     }
-    for (int k = 0; k < size && isSimple; ++k) // no edge back along the one before
+    for (int k = 0; k < size && isSimple; ++k) // no edge may run back along the previous one
     {
       const PlanePoint &a = points[k], &b = points[(k + 1) % size], &c = points[(k + 2) % size];
       isSimple = !isOnEdge(a, b, c) && !isOnEdge(b, c, a);
@@ -378,7 +378,7 @@ void addTouchingHole(Outline& outline, RandomNumbers& random)
     {
       continue;
     }
-    if ((way > 0.0) == (winding > 0)) // the other way round than the outline
+    if ((way > 0.0) == (winding > 0)) // opposite to the outline
     {
       std::swap(p, q);
     }

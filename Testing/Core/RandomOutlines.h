@@ -36,7 +36,7 @@ struct Outline
   int winding(const PlanePoint& p) const;
 
   void insert(std::size_t at, const PlanePoint& corner, int id);
-  /// As insert(), with a new id.
+  /// Like insert(), with a new id.
   void insert(std::size_t at, const PlanePoint& corner);
 };
 
@@ -48,19 +48,19 @@ Outline makeStar(RandomNumbers& random, int size);
 /// An outline of random points of a small grid, without intersecting edges.
 Outline makeMaze(RandomNumbers& random, int size);
 
-/// Repeat a random corner, once or twice.
+/// Repeats a random corner, once or twice.
 void doubleCorner(Outline& outline, RandomNumbers& random);
-/// Insert a corner in the middle of an edge.
+/// Inserts a corner in the middle of an edge.
 void splitEdge(Outline& outline, RandomNumbers& random);
-/// Insert an edge to a random point, inside or outside, and back. It can be split on the way there.
+/// Inserts an edge to a random point, inside or outside, and back. The way there may be split.
 void addSpike(Outline& outline, RandomNumbers& random);
-/// Insert a detour: back along an edge, and forward again.
+/// Inserts a detour: back along an edge, and forward again.
 void addDetour(Outline& outline, RandomNumbers& random);
-/// Insert a hole, with a slit from a corner to it.
+/// Inserts a hole, connected to a corner by a slit.
 void addHole(Outline& outline, RandomNumbers& random);
-/// Insert a hole that touches a corner.
+/// Inserts a hole that touches a corner.
 void addTouchingHole(Outline& outline, RandomNumbers& random);
-/// Rotate the outline to start at another corner, and maybe reverse it.
+/// Rotates the outline to start at another corner, and may reverse it.
 void turnRound(Outline& outline, RandomNumbers& random);
 
 #endif

@@ -72,7 +72,7 @@ Triangles needles(Random& random, int count)
   for (int k = 0; k < count; ++k)
   {
     const Vec3 a = random.inBox(1.5), b = random.inBox(1.5);
-    // Now and then of no width at all, or of a few units in the last place.
+    // Some have zero width, or a width of a few units in the last place.
     const double width = random.chance(4) ? 0.0 : random.chance(3) ? 1e-15 : 1e-3;
     result.add(a, b, b + random.inBox(width));
   }
@@ -90,8 +90,8 @@ Triangles closed(Random& random, int levels, double radius)
     std::vector<int> finer;
     for (std::size_t t = 0; t < mesh.corners.size(); t += 3)
     {
-      // Points are not shared between the children of different parents: the same
-      // sum in the same order makes them equal all the same.
+      // Children of different parents do not share points. The same sum in the same order
+      // makes the points equal anyway.
       int middles[3];
       for (int k = 0; k < 3; ++k)
       {
@@ -116,7 +116,7 @@ Triangles closed(Random& random, int levels, double radius)
   return mesh;
 }
 
-/// Rectangles in few planes, cut in two in either way, many of them equal.
+/// Rectangles in a few planes, divided along either diagonal; many of them are equal.
 Triangles coplanar(Random& random, int count)
 {
   Triangles result;
@@ -139,8 +139,8 @@ Triangles coplanar(Random& random, int count)
   return result;
 }
 
-/// Large triangles on all sides of the eye, some with a corner, an edge or the
-/// plane exactly through it.
+/// Large triangles on all sides of the eye. In some, a corner, an edge or the plane goes exactly
+/// through the eye.
 Triangles throughEye(Random& random, int count, const Vec3& eye)
 {
   Triangles result;
@@ -275,8 +275,8 @@ void aim(Random& random, lambent::Camera& camera, double size, const Vec3& origi
   }
 }
 
-/// A camera for grid(n): whole numbers and halves all the way, so that rays meet
-/// points and edges exactly.
+/// A camera for grid(n). It uses only whole numbers and halves, so that rays hit points and edges
+/// exactly.
 void aimAtGrid(Random& random, RandomScene& scene)
 {
   lambent::Camera& camera = scene.scene.camera;

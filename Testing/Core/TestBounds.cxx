@@ -11,7 +11,7 @@ namespace
 {
 struct Triangle
 {
-  // A point that nothing uses, three that a triangle does, one that is no number.
+  // A point that is not used, the three points of a triangle, and a NaN.
   double points[15] = { 99, 99, 99, 1, 2, 3, -4, 5, 6, 7, -8, 9,
     std::numeric_limits<double>::quiet_NaN(), 0, 0 };
   std::int64_t corners[6] = { 1, 2, 3, 3, 4, 1234 };
@@ -25,7 +25,7 @@ struct Triangle
 };
 }
 
-TEST(Bounds, AreThoseOfTheFinitePointsInUse)
+TEST(Bounds, CoverTheFinitePointsInUse)
 {
   const Triangle triangle;
   const Bounds bounds = findBounds({ triangle.surface }, Parallel());
@@ -42,7 +42,7 @@ TEST(Bounds, DoNotDependOnIdleWorkers)
   EXPECT_EQ(bounds.high, Vec3(7, 5, 9));
 }
 
-TEST(Bounds, OfNothingAreEmpty)
+TEST(Bounds, AreEmptyWithoutPoints)
 {
   EXPECT_TRUE(findBounds({ Surface() }, ThreadedParallel(2)).empty());
   Bounds sum;

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every picture is defined by brute force: each triangle against each ray. However
-// the rays are grouped, the triangles cut into chunks and the work shared among
-// threads, not one bit may differ from it, nor the triangle that a pixel shows.
+// Brute force defines each picture: every triangle is tested against every ray. Tiles, chunks of
+// triangles and threads must not change a bit of it, or the triangle that a pixel shows.
 #include "LightModel.h"
 #include "RandomScenes.h"
 #include "Render.h"
@@ -31,7 +30,7 @@ Picture makePicture(const RandomScene& random, const Window& part, const Setting
 {
   Picture picture;
   picture.floats.assign(3u * part.width() * part.height(), -1.0f);
-  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // nobody's
+  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
   Image image;
   image.width = random.width;
   image.height = random.height;
@@ -47,7 +46,7 @@ Window whole(const RandomScene& random)
   return { 0, random.width, 0, random.height };
 }
 
-/// How many channels differ in a bit, and pixels in their triangle.
+/// The number of channels that differ in a bit, plus the number of pixels with another triangle.
 std::size_t differences(const Picture& a, const Picture& b)
 {
   std::size_t count = a.floats.size() == b.floats.size() ? 0 : 1;
@@ -77,8 +76,8 @@ Settings smallCells(int shift)
 }
 }
 
-// The definition itself, written as plainly as can be: two loops and intersect().
-TEST(BruteForce, IsEachTriangleAgainstEachRay)
+// The definition, written as plainly as possible: two loops and intersect().
+TEST(BruteForce, TestsEachTriangleAgainstEachRay)
 {
   std::size_t hits = 0;
   for (unsigned int seed = 0; seed < 60; ++seed)
@@ -131,10 +130,10 @@ TEST(BruteForce, IsEachTriangleAgainstEachRay)
       }
     }
   }
-  EXPECT_GT(hits, 10000u); // the scenes are there to be hit
+  EXPECT_GT(hits, 10000u); // guards against scenes that are hardly hit
 }
 
-TEST(BruteForce, EqualsCells)
+TEST(BruteForce, EqualsTiles)
 {
   for (unsigned int seed = 0; seed < sceneCount; ++seed)
   {
@@ -189,8 +188,8 @@ TEST(BruteForce, EqualsAnyInstructionSet)
   EXPECT_TRUE(useVectorTarget(usual));
 }
 
-// So few bins that the cells are processed after every batch of triangles. Batches
-// are of a million triangles, so the mesh is made large by repeating it.
+// So few bins that the tiles are processed after every batch of triangles. A batch has a million
+// triangles, so the mesh is repeated until it is large.
 TEST(BruteForce, EqualsSeveralRounds)
 {
   for (unsigned int seed : { 1u, 4u })
@@ -213,8 +212,8 @@ TEST(BruteForce, EqualsSeveralRounds)
   }
 }
 
-// So many cells that they are processed in several batches, after each of which progress is told.
-TEST(BruteForce, EqualsSeveralBatchesOfCells)
+// So many tiles that they are processed in several batches, with a checkpoint after each.
+TEST(BruteForce, EqualsSeveralBatchesOfTiles)
 {
   for (unsigned int seed : { 0u, 5u })
   {
@@ -228,7 +227,7 @@ TEST(BruteForce, EqualsSeveralBatchesOfCells)
   }
 }
 
-// Of more than 15 bits of columns, where points are placed between groups of rays.
+// The columns need more than 15 bits, so points are located between groups of rays.
 TEST(BruteForce, EqualsAVeryWideImage)
 {
   std::size_t hits = 0;
@@ -248,8 +247,8 @@ TEST(BruteForce, EqualsAVeryWideImage)
   EXPECT_GT(hits, 10000u);
 }
 
-// Cells of many triangles are split among the workers.
-TEST(BruteForce, EqualsSplitCells)
+// Tiles with many triangles are split among the workers.
+TEST(BruteForce, EqualsSplitTiles)
 {
   for (unsigned int seed : { 1u, 3u, 11u })
   {

@@ -54,7 +54,7 @@ TEST(CameraFrame, RaysSpanTheViewAngle)
   const CameraFrame horizontal(camera, 64, 20);
   EXPECT_NEAR(horizontal.x(63) + 0.5 * horizontal.pixel, edge, 1e-15);
   EXPECT_NEAR(horizontal.y(19) + 0.5 * horizontal.pixel, edge * 20.0 / 64.0, 1e-15);
-  camera.parallel = true; // the horizontal angle has no say here
+  camera.parallel = true; // the horizontal angle has no effect here
   camera.parallelScale = 3.0;
   const CameraFrame parallel(camera, 64, 20);
   EXPECT_EQ(parallel.y(19) + 0.5 * parallel.pixel, 3.0);
@@ -85,7 +85,7 @@ TEST(CameraFrame, WindowCenter)
   EXPECT_NEAR(frame.y(14) + 0.5 * frame.pixel, 0.0, 1e-16);
 }
 
-TEST(CameraFrame, GoesThereAndBack)
+TEST(CameraFrame, TransformsToTheFrameAndBack)
 {
   RandomNumbers random(2);
   for (int k = 0; k < 200; ++k)
@@ -142,7 +142,7 @@ TEST(CameraFrame, DefectsAreFound)
   EXPECT_EQ(defect([](Camera& c) { c.viewUp = Vec3(1e-9, 0.0, 1.0); }), CameraDefect::None);
 }
 
-// Seen from the framed camera the bounding sphere touches the edges of the shorter side.
+// Seen from the framed camera, the bounding sphere touches the edges of the shorter side.
 TEST(CameraFrame, FramingTouchesTheBoundingSphere)
 {
   Bounds bounds;
@@ -167,12 +167,12 @@ TEST(CameraFrame, FramingTouchesTheBoundingSphere)
     const double sine = radius / length(framed.position - center);
     const double tangent = 0.5 * std::min(width, height) * frame.pixel;
     EXPECT_NEAR(sine, tangent / std::sqrt(1.0 + tangent * tangent), 1e-14);
-    // In a parallel view too.
+    // The same holds in a parallel view.
     EXPECT_NEAR(framed.parallelScale * std::min(1.0, width / 100.0), radius, 1e-14);
   }
 }
 
-TEST(CameraFrame, FramingNothingChangesNothing)
+TEST(CameraFrame, FramingEmptyBoundsChangesNothing)
 {
   RandomNumbers random(4);
   const Camera camera = makeCamera(random);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The image contract's ray-triangle test, its bytes and its floats.
+// The image contract: the ray-triangle test, bytes and floats.
 #include "ImageContract.h"
 #include "RandomNumbers.h"
 
@@ -16,14 +16,14 @@ namespace
 const double notANumber = std::numeric_limits<double>::quiet_NaN();
 const double infinite = std::numeric_limits<double>::infinity();
 
-/// The point at a depth that is seen at (x, y) of the image plane.
+/// The point at a depth that appears at (x, y) on the image plane.
 FramePoint seenAt(double x, double y, double depth, bool parallel)
 {
   return parallel ? FramePoint{ x, y, depth, 1.0 }
                   : FramePoint{ x * depth, y * depth, depth, depth };
 }
 
-/// A few units in the last place away.
+/// x, moved by a few units in the last place.
 double nudged(double x, int steps)
 {
   for (; steps != 0; steps += steps > 0 ? -1 : 1)
@@ -33,7 +33,7 @@ double nudged(double x, int steps)
   return x;
 }
 
-/// Triangles round a common vertex that leave no gap.
+/// Triangles around a common vertex, without gaps.
 struct Fan
 {
   FramePoint center;
@@ -61,7 +61,7 @@ struct Fan
     {
       Hit hit;
       const FramePoint& next = this->rim[(k + 1) % this->rim.size()];
-      // The two neighbours name their common edge in either order.
+      // The two neighbours name their common edge in opposite orders.
       count += k % 2 ? intersect(this->center, this->rim[k], next, x, y, hit)
                      : intersect(next, this->center, this->rim[k], x, y, hit);
     }
@@ -101,7 +101,7 @@ TEST(Contract, NoRayPassesBetweenTrianglesThatShareAnEdge)
   EXPECT_EQ(passed, 0);
 }
 
-TEST(Contract, HitTellsWhereAndHowDeep)
+TEST(Contract, HitHasPositionAndDepth)
 {
   RandomNumbers random(3);
   for (int k = 0; k < 2000; ++k)
@@ -115,7 +115,7 @@ TEST(Contract, HitTellsWhereAndHowDeep)
       point = seenAt(
         random.within(-2.0, 2.0), random.within(-2.0, 2.0), random.within(1.0, 9.0), parallel);
     }
-    // The point of these barycentric coordinates, and the ray that goes there.
+    // The point with these barycentric coordinates, and the ray through it.
     const auto mixed = [&](double FramePoint::*c)
     { return (b.x * p[0].*c + b.y * p[1].*c + b.z * p[2].*c) / sum; };
     const double x = mixed(&FramePoint::x) / mixed(&FramePoint::w);
@@ -124,7 +124,7 @@ TEST(Contract, HitTellsWhereAndHowDeep)
     if (std::fabs((p[1].x / p[1].w - p[0].x / p[0].w) * (p[2].y / p[2].w - p[0].y / p[0].w) -
           (p[1].y / p[1].w - p[0].y / p[0].w) * (p[2].x / p[2].w - p[0].x / p[0].w)) < 0.01)
     {
-      continue; // too thin to ask for digits
+      continue; // too thin to expect accurate digits
     }
     ASSERT_TRUE(intersect(p[0], p[1], p[2], x, y, hit));
     EXPECT_NEAR(hit.e0 / hit.sum, b.x / sum, 1e-11);
@@ -134,7 +134,7 @@ TEST(Contract, HitTellsWhereAndHowDeep)
   }
 }
 
-TEST(Contract, SumIsPositiveWhereTheFrontIsSeen)
+TEST(Contract, SumIsPositiveOnTheFront)
 {
   const FramePoint a = seenAt(0.0, 0.0, 1.0, false), b = seenAt(1.0, 0.0, 2.0, false),
                    c = seenAt(0.0, 1.0, 3.0, false);
@@ -181,7 +181,7 @@ TEST(Contract, TrianglesWithoutAreaAreNotHit)
 }
 
 // The edge functions of such a needle round to zero far beyond its ends.
-TEST(Contract, NeedlesEndWhereTheyEnd)
+TEST(Contract, NeedlesEndAtTheirTips)
 {
   RandomNumbers random(4);
   for (int k = 0; k < 100000; ++k)
@@ -196,18 +196,18 @@ TEST(Contract, NeedlesEndWhereTheyEnd)
   }
 }
 
-TEST(Contract, BehindTheEyeIsNotHit)
+TEST(Contract, TrianglesBehindTheEyeAreNotHit)
 {
   Hit hit;
-  // Seen through the eye, upside down.
+  // Behind the eye, where it would appear upside down.
   EXPECT_FALSE(intersect(
     { 1.0, 1.0, -1.0, -1.0 }, { -2.0, 1.0, -1.0, -1.0 }, { 1.0, -2.0, -1.0, -1.0 }, 0.0, 0.0, hit));
   EXPECT_FALSE(intersect(
     { 1.0, 1.0, -1.0, 1.0 }, { -2.0, 1.0, -1.0, 1.0 }, { 1.0, -2.0, -1.0, 1.0 }, 0.0, 0.0, hit));
-  // In the plane of the eye.
+  // In the eye's plane.
   EXPECT_FALSE(intersect(
     { 1.0, 1.0, 0.0, 0.0 }, { -2.0, 1.0, 0.0, 0.0 }, { 1.0, -2.0, 0.0, 0.0 }, 0.0, 0.0, hit));
-  // Across it: the part in front is.
+  // A triangle that crosses this plane: only the part in front is hit.
   const FramePoint a{ -1.0, -1.0, -1.0, -1.0 }, b{ 1.0, -1.0, -1.0, -1.0 },
     c{ 0.0, -1.0, 9.0, 9.0 };
   EXPECT_TRUE(intersect(a, b, c, 0.0, -0.5, hit));
@@ -215,7 +215,7 @@ TEST(Contract, BehindTheEyeIsNotHit)
   EXPECT_FALSE(intersect(a, b, c, 0.0, 0.5, hit));
 }
 
-TEST(Contract, NumbersThatAreNoneAreNotHit)
+TEST(Contract, NonFiniteTrianglesAreNotHit)
 {
   const FramePoint good[3] = { seenAt(-1.0, -1.0, 1.0, false), seenAt(2.0, -1.0, 1.0, false),
     seenAt(-1.0, 2.0, 1.0, false) };
@@ -233,7 +233,7 @@ TEST(Contract, NumbersThatAreNoneAreNotHit)
       }
     }
   }
-  // So far away that the sum of the depths overflows.
+  // So distant that the sum of the depths overflows.
   EXPECT_FALSE(intersect({ -10.0, -10.0, 1e308, 1.0 }, { 20.0, -10.0, 1e308, 1.0 },
     { -10.0, 20.0, 1e308, 1.0 }, 0.0, 0.0, hit));
 }
@@ -246,7 +246,7 @@ TEST(Contract, Bytes)
     EXPECT_EQ(toByte((byte + 0.499) / 255.0), byte);
     EXPECT_EQ(toByte((byte - 0.499) / 255.0), byte);
   }
-  // Volatile: what the compiler works out by itself is clamped anyway.
+  // Volatile, because a value that the compiler computes in advance is always clamped.
   for (volatile double bright : { std::nextafter(1.0, 2.0), 1.003, 1.5, 2.0, 1e6, 1e300, infinite })
   {
     EXPECT_EQ(toByte(bright), 255) << bright;
@@ -259,7 +259,7 @@ TEST(Contract, Bytes)
   EXPECT_EQ(toByte(notANumber), 0);
 }
 
-// Processors differ in the sign and the other bits of what is not a number; pictures do not.
+// Processors differ in the sign and the other bits of a NaN; pictures do not.
 TEST(Contract, Floats)
 {
   for (double value : { 0.0, -0.0, 0.1, -1e30, 1e-310, infinite, -infinite })

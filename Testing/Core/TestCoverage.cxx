@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Of rays that pass edges as near as float can tell, none is called certain that is not.
+// Coverage decides a ray as certain only if it is right, also where rays pass edges as closely as
+// float can resolve.
 #include "Coverage.h"
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
@@ -15,7 +16,7 @@ using namespace lambent;
 
 namespace
 {
-// Wide, since errors grow with the numbers of columns and rows.
+// A large image, since errors grow with the numbers of columns and rows.
 constexpr int width = 4000, height = 3000;
 
 struct View
@@ -29,7 +30,7 @@ struct View
   {
   }
 
-  /// What is seen at a column and a row between the rays.
+  /// The point at a depth that appears at a column and a row between the rays.
   Vec3 at(double column, double row, double depth) const
   {
     const double x = ((column + 0.5) - this->frame.centerX) * this->frame.pixel;
@@ -45,7 +46,7 @@ struct View
   }
 };
 
-/// A triangle of a few rays, with an edge that passes one at a tiny distance.
+/// A triangle that covers a few rays, with an edge that passes one of them at a tiny distance.
 void makeTriangle(const View& view, RandomNumbers& random, Vec3 (&corners)[3])
 {
   const double column = width - 60 + random.below(50), row = height - 60 + random.below(50);
@@ -62,7 +63,7 @@ void makeTriangle(const View& view, RandomNumbers& random, Vec3 (&corners)[3])
   }
 }
 
-/// Puts the triangle into a batch by itself, if its box is exact; false else.
+/// Makes a batch of the triangle if its box is exact; otherwise returns false.
 bool fill(const View& view, const Vec3 (&corners)[3], CoverageBatch& batch)
 {
   LatticePosition positions[3];
@@ -96,7 +97,7 @@ Rays raysOf(const CoveredRay* rays, int count)
   return all;
 }
 
-/// How many rays float was certain of.
+/// Returns the number of rays that float arithmetic was certain of.
 int compare(const View& view, RandomNumbers& random)
 {
   Vec3 corners[3];
@@ -125,7 +126,7 @@ int compare(const View& view, RandomNumbers& random)
 }
 }
 
-TEST(Coverage, IsCertainOnlyWhereItIs)
+TEST(Coverage, IsCertainOnlyWhereItIsRight)
 {
   onAllTargets(
     []()

@@ -25,7 +25,7 @@ bool isEar(const Polygon& polygon, std::size_t k)
   return isFree;
 }
 
-/// The definition: after each cut all corners but the last are tried from the first on.
+/// The definition: after each cut, try all corners but the last again, from the first on.
 std::vector<std::int32_t> cutPlainly(Polygon& polygon)
 {
   std::vector<std::int32_t> triangles;
@@ -61,9 +61,9 @@ void expectTheSame(const Polygon& polygon, Ears& ears)
 }
 }
 
-// Outlines that cross and touch themselves, with doubled corners and corners in a row on
-// a small grid, and anything in space: whatever is cut, in whatever order.
-TEST(Ears, AreThoseOfTryingAllCornersAgain)
+// Outlines on a small grid that cross and touch themselves, with doubled corners and collinear
+// corners, and outlines of random points in space. The same ears must be cut in the same order.
+TEST(Ears, EqualTryingAllCornersAgain)
 {
   RandomNumbers random(77);
   Ears ears;
@@ -84,8 +84,8 @@ TEST(Ears, AreThoseOfTryingAllCornersAgain)
   }
 }
 
-// A crescent, whose inner side is in the way of nearly all corners of its outer one.
-TEST(Ears, OfACrescentAreThoseOfTryingAllCornersAgain)
+// A crescent: its inner side blocks nearly all corners of its outer side.
+TEST(Ears, EqualTryingAllCornersAgainOnACrescent)
 {
   Ears ears;
   for (int size : { 40, 300 })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The elementary functions against the C library's in extended precision, over
-// millions of arguments, and at the arguments whose results are exact.
+// Compares the elementary functions with the C library's in extended precision, for millions of
+// arguments, and checks them at arguments with exact results.
 
 #include "Elementary.h"
 
@@ -21,7 +21,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr int Arguments = 2'000'000;
 
-// The error of a value in ulps of what it should be.
+// The error of a value in ulps of the exact value.
 double ulps(double value, long double expected)
 {
   if (value == static_cast<double>(expected))
@@ -34,7 +34,7 @@ double ulps(double value, long double expected)
   return static_cast<double>(std::fabs(static_cast<long double>(value) - expected) / ulp);
 }
 
-// The largest error found so far, and where.
+// The largest error so far, and its argument.
 struct Worst
 {
   double error = 0.0;
@@ -84,8 +84,8 @@ long double radians(long double degrees)
 TEST_F(Elementary, SineCosineTangentAreAccurate)
 {
   Worst sine, cosine, tangent;
-  // Each angle once from 0 and once from 90 degrees: near a zero of a function its
-  // distance from that zero is what the reference must start from.
+  // Each angle is used twice, relative to 0 and to 90 degrees: near a zero of a function the
+  // reference must start from the distance to that zero.
   const auto compare = [&](double angle)
   {
     const long double x = radians(angle);
@@ -114,7 +114,7 @@ TEST_F(Elementary, SineCosineTangentAreAccurate)
   EXPECT_TRUE(isWithin(tangent, 1.0));
 }
 
-TEST(ElementaryExact, AnglesOfTheCompass)
+TEST(ElementaryExact, MultiplesOfRightAngles)
 {
   using lambent::cosDegrees;
   using lambent::sinDegrees;
@@ -148,14 +148,14 @@ TEST(ElementaryExact, AnglesOfTheCompass)
     EXPECT_EQ(tanDegrees(turn), 0.0);
     EXPECT_EQ(tanDegrees(turn + 180.0), 0.0);
   }
-  // The double that is nearest to the square root of one half.
+  // The double nearest to the square root of one half.
   EXPECT_EQ(sinDegrees(45.0), std::sqrt(0.5));
   EXPECT_EQ(cosDegrees(45.0), std::sqrt(0.5));
   EXPECT_EQ(tanDegrees(90.0), Infinity);
   EXPECT_EQ(tanDegrees(-90.0), -Infinity);
 }
 
-TEST(ElementaryExact, AnglesThatAreNone)
+TEST(ElementaryExact, NonFiniteAngles)
 {
   for (double angle : { Infinity, -Infinity, NotANumber })
   {
@@ -197,7 +197,7 @@ TEST_F(Elementary, PowerIsAccurate)
   }
   for (int i = 0; i < Arguments / 10; ++i)
   {
-    // Bases of any magnitude, near to 1 too, and results up to the largest double.
+    // Bases of any magnitude, also near 1, and results up to the largest double.
     const double base = i % 2
       ? std::ldexp(this->uniform(0.5, 1.0), static_cast<int>(this->uniform(-1000.0, 1000.0)))
       : 1.0 + std::ldexp(this->uniform(-0.5, 1.0), -static_cast<int>(this->uniform(0.0, 50.0)));
@@ -241,7 +241,7 @@ TEST(ElementaryExact, Power)
   EXPECT_TRUE(std::isnan(power(0.5, NotANumber)));
 }
 
-TEST_F(Elementary, PowerOfRootsIsTheRootsOwn)
+TEST_F(Elementary, PowerEqualsSquareRootsAndSquares)
 {
   for (int i = 0; i < Arguments / 10; ++i)
   {

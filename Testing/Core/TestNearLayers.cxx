@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers so near to each other that floats can hardly tell, or cannot tell, which is in front.
+// Layers so close that floats can hardly tell, or cannot tell, which one is in front.
 #include "InstructionSets.h"
 #include "VisibleTriangles.h"
 
@@ -15,7 +15,7 @@ namespace
 {
 constexpr int side = 40;
 
-/// Two layers of triangles of a few pixels that face the viewer.
+/// Two layers of triangles a few pixels large that face the viewer.
 struct Layers
 {
   std::vector<double> points;
@@ -50,7 +50,7 @@ struct Layers
 };
 }
 
-TEST(NearLayers, AreToldApartInEveryInstructionSet)
+TEST(NearLayers, AreDistinguishedInEveryInstructionSet)
 {
   onAllTargets(
     []()

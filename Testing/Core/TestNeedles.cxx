@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles so thin that their edge functions round to zero along the line that they lie on. In an
-// ordinary view no ray beyond their ends is tried. Where pixels are so small that points have no
-// place between them every ray is, and the kernel has to know by itself where a needle ends.
+// Triangles so thin that their edge functions round to zero along their line. In an ordinary view
+// no ray beyond their ends is tested. If pixels are so small that points cannot be located between
+// them, every ray is, and the kernel itself must decide where a needle ends.
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
 #include "VisibleTriangles.h"
@@ -17,9 +17,9 @@ using namespace lambent;
 namespace
 {
 constexpr int side = 31;
-const double scale = std::ldexp(1.0, -210); // of the view, beyond what PointLattice calls precise
+const double scale = std::ldexp(1.0, -210); // of the view; too small for PointLattice to be precise
 
-/// Needles from the middle towards the rays around it, and not quite up to them.
+/// Needles from the centre towards the rays around it, which end shortly before these rays.
 std::vector<double> makeNeedles(int count, const CameraFrame& frame)
 {
   RandomNumbers random(5);
@@ -35,7 +35,7 @@ std::vector<double> makeNeedles(int count, const CameraFrame& frame)
 }
 }
 
-TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
+TEST(Needles, EndAtTheirTipsInEveryInstructionSet)
 {
   constexpr int count = 400;
   Scene scene;
@@ -51,9 +51,9 @@ TEST(Needles, EndWhereTheyEndInEveryInstructionSet)
 
   const std::vector<std::uint32_t> expected =
     visibleTriangles(scene, side, Settings::bruteForce({ 0, side, 0, side }));
-  EXPECT_NE(expected[side * (side / 2) + side / 2], noTriangle); // where all of them begin
+  EXPECT_NE(expected[side * (side / 2) + side / 2], noTriangle); // all needles begin here
   EXPECT_LT(std::count_if(expected.begin(), expected.end(),
               [](std::uint32_t triangle) { return triangle != noTriangle; }),
-    10); // rays beyond their ends are along their lines
+    10); // rays beyond the ends lie on the needles' lines
   onAllTargets([&]() { EXPECT_EQ(visibleTriangles(scene, side, Settings()), expected); });
 }

@@ -31,7 +31,7 @@ TEST(Parallel, EachIsCalledOnce)
   }
 }
 
-// Alone it is a plain loop, in order.
+// With one worker it is a plain loop, in order.
 TEST(Parallel, OneWorkerIsALoop)
 {
   std::vector<std::size_t> order;

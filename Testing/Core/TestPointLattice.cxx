@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where points fall between the rays may keep too many rays of a triangle, and never
-// one too few.
+// The lattice may keep too many rays for a triangle, but never one too few.
 #include "LatticeKernel.h"
 #include "PointLattice.h"
 #include "RandomNumbers.h"
@@ -30,7 +29,7 @@ bool isPlaced(LatticePosition p)
   return p.column < LatticePosition::notFinite;
 }
 
-/// Calls check(i, j, hit, rays) for each ray of the window and random triangles.
+/// Calls check(i, j, isHit, rays) for each ray of the window and each of many random triangles.
 template <typename Check>
 void forRaysAndTriangles(const Window& window, Check&& check)
 {
@@ -47,7 +46,7 @@ void forRaysAndTriangles(const Window& window, Check&& check)
     for (Vec3& point : points)
     {
       point = center + random.inBox(random.below(2) ? size : 0.1 * size);
-      if (random.below(4) == 0) // exactly, or nearly, on a ray
+      if (random.below(4) == 0) // exactly or nearly on a ray
       {
         const double depth = random.within(1.0, 5.0) * size;
         point =
@@ -79,7 +78,7 @@ void forRaysAndTriangles(const Window& window, Check&& check)
   }
 }
 
-/// All triangles but the first, behind two that were added before.
+/// Adds all triangles but the first to two existing ones, and checks the result.
 void expectAdded(
   const IndexSpan& corners, std::size_t points, bool isSound, const std::string& target)
 {
@@ -118,9 +117,9 @@ TEST(PointLattice, KeepsEveryRayThatHits)
   }
 }
 
-// A point between two rays is placed between these two, so that what lies between the
-// rays is dropped.
-TEST(PointLattice, TellsBetweenWhichRays)
+// A point between two rays is located between these two, so that a triangle between rays is
+// dropped.
+TEST(PointLattice, LocatesPointsBetweenRays)
 {
   const Window window{ 5, 35, 3, 30 };
   RandomNumbers random(8);
@@ -140,8 +139,8 @@ TEST(PointLattice, TellsBetweenWhichRays)
   }
 }
 
-// Such a point counts as left and as right of its ray, wherever rounding puts it.
-TEST(PointLattice, PointsOnARayAreOnEitherSide)
+// A point on a ray counts as left and as right of it, whichever way its position is rounded.
+TEST(PointLattice, PointsOnARayCountOnBothSides)
 {
   RandomNumbers random(10);
   for (int k = 0; k < 5000; ++k)
@@ -158,13 +157,14 @@ TEST(PointLattice, PointsOnARayAreOnEitherSide)
   }
 }
 
-// Points by the vector are placed as points one by one, on every instruction set.
-TEST(PointLattice, ManyAtATimeAreEqual)
+// Points located several at a time have the same positions as points located one by one, with
+// every instruction set.
+TEST(PointLattice, SeveralAtATimeEqualSinglePoints)
 {
   RandomNumbers random(11);
   Camera tiny;
   tiny.parallel = true;
-  tiny.parallelScale = 1e-70; // positions mean nothing
+  tiny.parallelScale = 1e-70; // too small for precise positions
   const CameraFrame frame(makeCamera(random, 1.0, Vec3(0.0)), 40, 30);
   const PointLattice lattices[] = { { frame, { 3, 39, 2, 29 } },
     { CameraFrame(tiny, 40, 30), { 3, 39, 2, 29 } } };
@@ -207,7 +207,7 @@ TEST(PointLattice, ManyAtATimeAreEqual)
   useVectorTarget(before);
 }
 
-// Indices of either width, of any number, and whichever one is wrong.
+// Reads indices of 32 and 64 bits, any number of them, and finds a wrong one in any position.
 TEST(PointLattice, CornersAreReadAndChecked)
 {
   constexpr std::size_t points = 1000, count = LatticeBoxes::capacity - 3;
@@ -241,7 +241,7 @@ TEST(PointLattice, CornersAreReadAndChecked)
   useVectorTarget(before);
 }
 
-TEST(PointLattice, SaysSoWhereThereIsNoPlace)
+TEST(PointLattice, MarksPointsWithoutAPosition)
 {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   const double infinite = std::numeric_limits<double>::infinity();
@@ -259,12 +259,12 @@ TEST(PointLattice, SaysSoWhereThereIsNoPlace)
       EXPECT_EQ(lattice.locate(point).column, LatticePosition::notFinite);
     }
   }
-  // So far away that the frame overflows, and yet a number.
+  // So distant that the frame overflows, but still finite.
   EXPECT_EQ(lattice.locate(Vec3(1e308, 1e308, -1e308)).column == LatticePosition::notFinite, false);
 }
 
-// So wide a view, and a point so far away, that its place is infinity times zero.
-TEST(PointLattice, APlaceThatIsNotANumberIsAnywhere)
+// The view is so wide and the point so distant that its position is infinity times zero.
+TEST(PointLattice, NaNPositionIsAnywhere)
 {
   Camera camera;
   camera.position = Vec3(0.0);
@@ -284,7 +284,7 @@ TEST(PointLattice, APlaceThatIsNotANumberIsAnywhere)
   }
 }
 
-// Beyond 15 bits rays are counted in groups; none is lost.
+// Beyond 15 bits, rays are counted in groups. No ray is lost.
 TEST(PointLattice, LargeImages)
 {
   RandomNumbers random(9);

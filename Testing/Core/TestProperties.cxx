@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What must not change a picture, or change it in a known way, to the last bit. No brute force is
-// needed to tell, so it tells of the definition itself, too.
+// Changes of a scene that must not change the picture, or must change it in a known way, to the
+// last bit. No brute force is involved, so this also tests the definition itself.
 #include "RandomNumbers.h"
 #include "RandomScenes.h"
 #include "Render.h"
@@ -56,7 +56,7 @@ void changePoints(RandomScene& random, Change&& change)
   }
 }
 
-/// Everything so many times as large, seen from so much farther away.
+/// The scene scaled by a factor, seen from a distance scaled likewise.
 RandomScene scaled(unsigned int seed, double factor)
 {
   RandomScene random = makeRandomScene(seed);
@@ -85,8 +85,7 @@ Vec3 flipped(const Vec3& v)
   return { -v.x, v.y, v.z };
 }
 
-/// The scene in a mirror. Faces that were seen from the front are seen from the back there, and the
-/// normals are turned with them.
+/// The scene in a mirror. Front faces become back faces, and the normals are mirrored with them.
 RandomScene mirrored(RandomScene random)
 {
   changePoints(random, [](auto* p) { p[0] = -p[0]; });
@@ -127,7 +126,7 @@ std::vector<float> flippedPicture(const std::vector<float>& floats, int width)
 }
 }
 
-// No length is built in: a power of two rounds nothing.
+// No length is built in, and scaling by a power of two rounds nothing.
 TEST(Properties, ScalingByAPowerOfTwoChangesNothing)
 {
   for (unsigned int seed = 0; seed < sceneCount; ++seed)
@@ -149,7 +148,7 @@ TEST(Properties, SwappingInputsChangesNothing)
   {
     RandomScene random = makeRandomScene(seed);
     const bool hasTies = random.name == "coplanar" || random.name == "grid on rays" ||
-      random.name == "through the eye"; // faces in one place, of which the first is seen
+      random.name == "through the eye"; // coincident faces, of which the first is seen
     if (random.scene.surfaces.size() < 2 || hasTies)
     {
       continue;
@@ -168,7 +167,7 @@ TEST(Properties, MirroredScenesGiveMirroredPictures)
   {
     RandomScene random = makeRandomScene(seed);
     random.scene.twoSidedLighting = true;
-    random.scene.camera.windowCenter[0] = 0.0; // rays on the left as on the right
+    random.scene.camera.windowCenter[0] = 0.0; // rays symmetric about the centre
     const std::vector<float> there = picture(random);
     const std::vector<float> here = picture(mirrored(std::move(random)));
     const int width = makeRandomScene(seed).width;
@@ -193,7 +192,7 @@ TEST(Properties, ALightOfIntensity0ChangesNothing)
   }
 }
 
-TEST(Properties, CullingDropsNothingThatIsSeen)
+TEST(Properties, CullingDropsNothingVisible)
 {
   for (unsigned int seed = 0; seed < sceneCount; ++seed)
   {
@@ -206,7 +205,7 @@ TEST(Properties, CullingDropsNothingThatIsSeen)
 
 namespace
 {
-/// Scenes of one unlit surface, whose rays and points have few digits: nothing is ever rounded.
+/// Scenes with one unlit surface. Rays and points have few digits, so nothing is ever rounded.
 struct ExactScene
 {
   RandomScene random;
@@ -234,7 +233,7 @@ struct ExactScene
   }
 };
 
-/// The triangle, cut so many times along a line from a corner to a point of the opposite edge.
+/// The triangle, cut `times` times along a line from a corner to a point on the opposite edge.
 void cut(RandomNumbers& random, const Vec3& a, const Vec3& b, const Vec3& c, int times,
   std::vector<Vec3>& pieces)
 {
@@ -249,7 +248,7 @@ void cut(RandomNumbers& random, const Vec3& a, const Vec3& b, const Vec3& c, int
 }
 }
 
-TEST(Properties, SplittingATriangleLeavesWhatItCovers)
+TEST(Properties, SplittingATriangleKeepsItsCoverage)
 {
   RandomNumbers random(5);
   for (int trial = 0; trial < 200; ++trial)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of the kernel are those of Shader::color() to the last bit of a double. A
-// picture of floats would show a difference in that bit once in 500 million channels.
+// The kernel's colours equal those of Shader::color() to the last bit of a double. A float picture
+// would show a difference in that bit only once in 500 million channels.
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
 #include "SampleBatch.h"
@@ -19,7 +19,7 @@ namespace
 constexpr int width = 4 * SampleBatch::pieceSize, height = 3;
 constexpr double untouched = -7.0;
 
-/// Triangles one behind the other, each of which covers the view.
+/// Triangles behind each other, each of which covers the view.
 struct Sheets
 {
   static constexpr int count = 9;
@@ -35,7 +35,7 @@ struct Sheets
   Sheets(unsigned int seed, bool parallel, Shading shading)
     : random(seed)
   {
-    this->scene.camera.position = Vec3(0.0); // so that no light is rounded as seen from it
+    this->scene.camera.position = Vec3(0.0); // so that lights relative to it are not rounded
     this->scene.camera.focalPoint = this->random.inBox(1.0);
     this->scene.camera.parallel = parallel;
     this->scene.camera.parallelScale = 0.3;
@@ -77,7 +77,8 @@ struct Sheets
       this->corners.end(), { first, first + (isFront ? 1 : 2), first + (isFront ? 2 : 1) });
   }
 
-  /// Of every kind, and one exactly where a ray hits the first triangle.
+  /// Adds lights of every kind, one of them exactly at the point where a ray hits the first
+  /// triangle.
   void addLights()
   {
     Light light;
@@ -105,7 +106,7 @@ struct Sheets
   }
 };
 
-/// Pieces of a row whose rays hit one sheet or another, or nothing, in runs.
+/// Pieces of a row. Runs of rays hit one sheet, another one, or nothing.
 struct Rays
 {
   std::vector<double> xs;
@@ -119,7 +120,7 @@ struct Rays
     {
       this->xs.push_back(sheets.frame->x(i));
     }
-    std::uint32_t triangle = 0; // for the light that lies on it
+    std::uint32_t triangle = 0; // the one that a light lies on
     for (int piece = 0; piece < SampleBatch::mostPieces; ++piece)
     {
       const int begin = piece * SampleBatch::pieceSize;
@@ -211,7 +212,7 @@ void compare(unsigned int seed, bool parallel, Shading shading)
 }
 }
 
-TEST(ShadingKernel, GivesTheDoublesOfTheDefinition)
+TEST(ShadingKernel, EqualsTheDefinition)
 {
   onAllTargets(
     []()

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The core computes what its source says: each operation rounded to binary64 by itself, in the
-// written order. Functions that the library was compiled with are compared, bit for bit, with the
-// same operations forced one by one through memory. Compilers that contract, reassociate, multiply
-// by reciprocals or assume finite numbers fail here.
+// The core computes what its source says: each operation is rounded to binary64, in the written
+// order. Functions compiled into the library are compared, bit for bit, with the same operations
+// forced through memory one at a time. Compilers that contract, reassociate, multiply by
+// reciprocals or assume finite numbers fail here.
 
 #include "CameraFrame.h"
 
@@ -21,7 +21,7 @@ using lambent::Camera;
 using lambent::CameraFrame;
 using lambent::Vec3;
 
-// A binary64 number whose every operation ends in memory.
+// A binary64 number; the result of each operation goes through memory.
 struct Stored
 {
   volatile double value;
@@ -109,7 +109,7 @@ TEST(StrictArithmetic, CameraFrameIsComputedAsWritten)
   }
 }
 
-// Where the image's centre lies anywhere, so that every operation rounds.
+// The image's centre lies anywhere, so that every operation rounds.
 TEST(StrictArithmetic, RaysAreComputedAsWritten)
 {
   std::mt19937_64 random(2);
@@ -136,7 +136,7 @@ TEST(StrictArithmetic, RaysAreComputedAsWritten)
   }
 }
 
-TEST(StrictArithmetic, NotANumberIsNoticed)
+TEST(StrictArithmetic, NaNIsDetected)
 {
   Camera camera;
   camera.position = { 0.0, 0.0, 1.0 };

@@ -39,7 +39,7 @@ Picture makePicture(const RandomScene& random, int samples, const Window& part,
 {
   Picture picture;
   picture.floats.assign(3u * part.width() * part.height(), -1.0f);
-  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // nobody's
+  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
   Image image;
   image.width = random.width;
   image.height = random.height;
@@ -62,7 +62,7 @@ Picture makeByBruteForce(const RandomScene& random, int samples)
     Settings::bruteForce({ 0, random.width * samples, 0, random.height * samples }));
 }
 
-/// A scene of a seed, small enough for brute force with many samples.
+/// A random scene, small enough for brute force with many samples.
 RandomScene makeSmallScene(unsigned int seed)
 {
   RandomScene random = makeRandomScene(seed);
@@ -71,7 +71,7 @@ RandomScene makeSmallScene(unsigned int seed)
   return random;
 }
 
-/// The part of a picture that lies in a window of it.
+/// The part of a picture inside a window.
 Picture cut(const Picture& picture, int width, const Window& part)
 {
   Picture result;
@@ -88,7 +88,7 @@ Picture cut(const Picture& picture, int width, const Window& part)
 }
 }
 
-// The definition, written as plainly as can be, from the triangles that the larger picture shows.
+// The definition, written as plainly as possible, from the triangles of the larger picture.
 TEST(Supersampling, AveragesTheLargerPicture)
 {
   for (unsigned int seed = 0; seed < 60 && !HasFailure(); ++seed)
@@ -152,7 +152,7 @@ TEST(Supersampling, EqualsBruteForceInEveryInstructionSet)
   }
 }
 
-TEST(Supersampling, PartsEqualThoseOfTheWhole)
+TEST(Supersampling, PartsEqualTheWhole)
 {
   for (unsigned int seed = 200; seed < 240; ++seed)
   {
@@ -165,8 +165,8 @@ TEST(Supersampling, PartsEqualThoseOfTheWhole)
   }
 }
 
-// Bins that fill up: tiles keep their hits from round to round.
-TEST(Supersampling, GoesOnInSeveralRounds)
+// The bins fill up, so tiles must keep their hits from round to round.
+TEST(Supersampling, KeepsHitsFromRoundToRound)
 {
   Settings settings;
   settings.binPages = 1;

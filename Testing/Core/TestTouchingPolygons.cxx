@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Polygons whose outlines touch themselves: the triangles must cover what the outline
-// encloses, each place of it once, and nothing else.
+// Polygons whose outlines touch themselves: the triangles must cover each place that the outline
+// encloses exactly once, and nothing else.
 #include "RandomOutlines.h"
 #include "Triangulation.h"
 
@@ -21,7 +21,7 @@ struct Plane
   Vec3 at(const PlanePoint& p) const { return this->origin + this->u * p.x + this->v * p.y; }
 };
 
-/// Three in which the coordinates of an outline are exact, and two in which they are not.
+/// Three planes in which an outline's coordinates are exact, and two in which they are not.
 Plane makePlane(int kind, RandomNumbers& random)
 {
   switch (kind)
@@ -58,7 +58,7 @@ std::vector<std::int32_t> cut(const Outline& outline, const Plane& plane, bool i
   return { corners.begin(), corners.end() };
 }
 
-/// Where the corners of the triangles lie in the plane, three a triangle.
+/// The positions of the triangles' corners in the plane, three for each triangle.
 std::vector<PlanePoint> place(const Outline& outline, const std::vector<std::int32_t>& triangles)
 {
   std::vector<PlanePoint> points(outline.idCount), placed;
@@ -73,7 +73,7 @@ std::vector<PlanePoint> place(const Outline& outline, const std::vector<std::int
   return placed;
 }
 
-/// How many triangles a point lies in, or -1 if it is too close to an edge to say.
+/// The number of triangles that contain a point, or -1 if it is too close to an edge to decide.
 int countOver(const std::vector<PlanePoint>& triangles, const PlanePoint& p)
 {
   int count = 0;
@@ -148,8 +148,7 @@ std::vector<std::int32_t> cutInPlane(
   return cut(outline, { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, true);
 }
 
-/// The definition for outlines that do not touch themselves: a fan, or the first ear
-/// again and again.
+/// The definition for outlines that do not touch themselves: a fan, or the first ear repeatedly.
 std::vector<std::int32_t> cutSimple(const Outline& outline)
 {
   std::vector<PlanePoint> left = outline.corners;
@@ -236,7 +235,7 @@ TEST(TouchingPolygons, HolesAreLeftOpen)
   expectCovered(109, { addTouchingHole, addHole, addTouchingHole });
 }
 
-TEST(TouchingPolygons, AllTogetherAreCovered)
+TEST(TouchingPolygons, CombinationsAreCovered)
 {
   expectCovered(110,
     { splitEdge, splitEdge, addHole, addTouchingHole, addSpike, addHole, addDetour, doubleCorner,
@@ -247,7 +246,7 @@ TEST(TouchingPolygons, AnArrowWithADoubledNotchKeepsItsNotch)
 {
   const std::vector<PlanePoint> arrow{ { 40.1, 20.2 }, { -7.3, 8.4 }, { 5.2, -38.1 },
     { 10.3, -0.2 }, { 10.3, -0.2 } };
-  for (int last : { 3, 4 }) // the same point, or another one in its place
+  for (int last : { 3, 4 }) // the same point, or another one at its position
   {
     double area = 0.0;
     const std::vector<std::int32_t> triangles = cutInPlane(arrow, { 0, 1, 2, 3, last });
@@ -261,14 +260,14 @@ TEST(TouchingPolygons, AnArrowWithADoubledNotchKeepsItsNotch)
   }
 }
 
-// A fan is right for them, as it is for the outline without the doubled corner.
-TEST(TouchingPolygons, ConvexOnesWithADoubledCornerStayFans)
+// A fan is right for them, as for the outline without the doubled corner.
+TEST(TouchingPolygons, ConvexPolygonsWithADoubledCornerStayFans)
 {
   EXPECT_EQ(cutInPlane({ { 0, 0 }, { 2, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } }, { 0, 1, 1, 2, 3 }),
     (std::vector<std::int32_t>{ 0, 1, 1, 0, 1, 2, 0, 2, 3 }));
 }
 
-// Nothing is right for these; they keep the fan, or the ears, that they had before.
+// No triangles are right for these; they keep the fan or the ears that they had before.
 TEST(TouchingPolygons, OutlinesThatCrossThemselvesKeepTheirTriangles)
 {
   EXPECT_EQ(cutInPlane({ { 0, 0 }, { 2, 2 }, { 2, 0 }, { 0, 1 } }, { 0, 1, 2, 3 }),
@@ -278,8 +277,8 @@ TEST(TouchingPolygons, OutlinesThatCrossThemselvesKeepTheirTriangles)
     (std::vector<std::int32_t>{ 0, 1, 2, 0, 2, 3, 0, 3, 4 }));
 }
 
-// It crosses itself as seen along its normal, but not as seen along an axis.
-TEST(TouchingPolygons, BentOnesThatCrossThemselvesKeepTheirTriangles)
+// It crosses itself when seen along its normal, but not when seen along an axis.
+TEST(TouchingPolygons, BentOutlinesThatCrossThemselvesKeepTheirTriangles)
 {
   const std::vector<Vec3> points{ { -4, 1, 1 }, { 4, -3, 1 }, { 4, 2, -1 }, { -4, -3, 0 } };
   const std::vector<std::int64_t> ids{ 0, 1, 2, 3 }, offsets{ 0, 4 };
@@ -288,8 +287,8 @@ TEST(TouchingPolygons, BentOnesThatCrossThemselvesKeepTheirTriangles)
     (UnwrittenVector<std::int32_t>{ 0, 1, 2, 0, 2, 3 }));
 }
 
-// Floats of four million lie half a unit apart; whole units are still told from each other.
-TEST(TouchingPolygons, WholeNumbersFarAwayAreExact)
+// Near four million, floats are half a unit apart; whole units are still distinct.
+TEST(TouchingPolygons, LargeIntegerCoordinatesAreExact)
 {
   Outline arrow;
   arrow.corners = { { 40, 20 }, { -7, 8 }, { 5, -38 }, { 10, 0 }, { 10, 0 } };
@@ -299,14 +298,14 @@ TEST(TouchingPolygons, WholeNumbersFarAwayAreExact)
   expectCovered(arrow, { { 4194304, 4194304, 4194304 }, { 1, 0, 0 }, { 0, 1, 0 } }, false, random);
 }
 
-TEST(TouchingPolygons, OutlinesThatEncloseNothingKeepTheirNumber)
+TEST(TouchingPolygons, OutlinesWithoutAreaKeepTheirTriangleCount)
 {
   const std::vector<std::vector<PlanePoint>> outlines{
     { { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 } },     // a point
     { { 0, 0 }, { 1, 2 }, { 3, 6 }, { 3, 6 }, { 2, 4 }, { 0, 0 } },     // there and back
     { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 1, 0 }, { 0, 0 }, { 0, -1 } },    // a tree
-    { { 0, 0 }, { 1, 1 }, { 1, -1 }, { 0, 0 }, { -1, 1 }, { -1, -1 } }, // an eight
-    { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 }, { 0, 1 }, { 1, 0 } }      // once each way
+    { { 0, 0 }, { 1, 1 }, { 1, -1 }, { 0, 0 }, { -1, 1 }, { -1, -1 } }, // a figure of eight
+    { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, 0 }, { 0, 1 }, { 1, 0 } }      // once in each orientation
   };
   for (const std::vector<PlanePoint>& outline : outlines)
   {
@@ -328,8 +327,8 @@ TEST(TouchingPolygons, OutlinesThatEncloseNothingKeepTheirNumber)
   }
 }
 
-// What is far too large, or far too small, for products of lengths still ends.
-TEST(TouchingPolygons, AnySizeEnds)
+// Triangulation also ends for polygons too large or too small for products of lengths.
+TEST(TouchingPolygons, EndsForCoordinatesOfAnySize)
 {
   for (double size : { 1e-300, 1e-160, 1e-50, 1e50, 1e150, 1e308 })
   {

@@ -11,7 +11,7 @@ using namespace lambent;
 
 namespace
 {
-/// Cells and points with the memory of their spans.
+/// Cells and points, with the memory of their spans.
 struct Cells
 {
   std::vector<std::int64_t> offsets{ 0 };
@@ -42,7 +42,7 @@ struct Cells
   }
 };
 
-/// The points of a plane polygon, numbered through, as one cell.
+/// The points of a plane polygon, numbered from 0, as one cell.
 Cells makePolygon(const std::vector<Vec3>& points)
 {
   Cells cells;
@@ -84,7 +84,7 @@ TEST(Triangulation, StripsAlternate)
   EXPECT_EQ(list.cells, (UnwrittenVector<std::int64_t>{ 3, 3, 3 }));
 }
 
-// Stars with teeth of random depth, in a tilted plane, from either side.
+// Stars with teeth of random depth, in a tilted plane, seen from either side.
 TEST(Triangulation, ConcavePolygonsAreCoveredExactlyOnce)
 {
   RandomNumbers random(5);
@@ -113,23 +113,23 @@ TEST(Triangulation, ConcavePolygonsAreCoveredExactlyOnce)
     {
       const double part = area(points[list.corners[3 * t]], points[list.corners[3 * t + 1]],
         points[list.corners[3 * t + 2]], normal);
-      EXPECT_GE(isTurned ? -part : part, -1e-12); // all face the polygon's way
+      EXPECT_GE(isTurned ? -part : part, -1e-12); // all have the polygon's orientation
       sum += part;
     }
     EXPECT_NEAR(sum, whole, 1e-10);
   }
 }
 
-// Whatever the shape, a polygon of n points gives n - 2 triangles.
-TEST(Triangulation, OddShapesKeepTheirNumber)
+// A polygon of n points gives n - 2 triangles, whatever its shape.
+TEST(Triangulation, DegenerateShapesKeepTheirTriangleCount)
 {
   const std::vector<std::vector<Vec3>> shapes{
     { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },                // crosses itself
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },                // in a line
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } },                // collinear
     { { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } },   // a point
-    { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 1, 0.5, 0 } }, // a point twice
+    { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 1, 0.5, 0 } }, // a repeated point
     { { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 1, 3, 0 },
-      { 3, 3, 0 }, { 3, 1, 0 }, { 1, 1, 0 } } // a hole, by a bridge
+      { 3, 3, 0 }, { 3, 1, 0 }, { 1, 1, 0 } } // a hole, connected by a bridge
   };
   for (const auto& shape : shapes)
   {
@@ -157,7 +157,7 @@ TEST(Triangulation, AHoleStaysOpen)
   EXPECT_NEAR(sum, 12.0, 1e-12);
 }
 
-TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
+TEST(Triangulation, CellsWithFewerThanThreePointsGiveNothing)
 {
   Cells cells = makePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   cells.add({});
@@ -169,8 +169,9 @@ TEST(Triangulation, CellsOfFewerThanThreePointsGiveNothing)
   EXPECT_EQ(list.cells, (UnwrittenVector<std::int64_t>{ 0, 4 }));
 }
 
-// They are told of where triangles are streamed; here they only keep their number.
-TEST(Triangulation, BadPointsStandForTheirCell)
+// Bad points are reported where triangles are streamed. Here their cells only keep the number of
+// triangles.
+TEST(Triangulation, BadPointsReplaceAllCornersOfTheirCell)
 {
   Cells cells;
   cells.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
@@ -219,7 +220,7 @@ TEST(Triangulation, DoesNotDependOnThreads)
     const TriangleList stripList = cells.cutStrips(CellSpan(), 100, parallel);
     EXPECT_EQ(stripList.corners, strips.corners);
     EXPECT_EQ(stripList.cells, strips.cells);
-    // Polygons come first, and strips are numbered on.
+    // Polygons come first; strips continue the numbering.
     TriangleList both = cells.cutStrips(cells.span(), 100, parallel);
     const std::size_t polygons = once.cells.size();
     EXPECT_TRUE(std::equal(once.corners.begin(), once.corners.end(), both.corners.begin()));
@@ -235,7 +236,7 @@ TEST(Triangulation, DoesNotDependOnThreads)
   }
 }
 
-TEST(Triangulation, CellsAreInspected)
+TEST(Triangulation, CellSizesAreClassified)
 {
   Cells cells;
   const Parallel parallel;
@@ -249,7 +250,7 @@ TEST(Triangulation, CellsAreInspected)
   cells.offsets[2500] -= 1;
   EXPECT_EQ(inspect(cells.span(), ThreadedParallel(3)), CellSizes::Mixed);
   cells.offsets[2500] -= 3;
-  EXPECT_EQ(inspect(cells.span(), ThreadedParallel(3)), CellSizes::Broken); // decrease
+  EXPECT_EQ(inspect(cells.span(), ThreadedParallel(3)), CellSizes::Broken); // they decrease
   cells.offsets[2500] += 4;
   cells.offsets.back() += 1;
   EXPECT_EQ(inspect(cells.span(), ThreadedParallel(3)), CellSizes::Broken); // beyond the end

@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Which lines and branches do no tests reach?
+# Lists the lines and branches that no test reaches:
 #   sh Testing/Coverage/run.sh [options of ctest]
-# The table is printed; build/coverage/report/index.html shows each line. Branches that only an
-# exception takes are not counted, nor those within VTK's macros, most of which are for debugging.
+# Prints the table; build/coverage/report/index.html shows each line. Branches that only an exception
+# takes are not counted, nor those within VTK's macros, most of which are for debugging.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)
 . "$root/.ci/setup.sh"
@@ -14,12 +14,12 @@ need "coverage" gcovr
 need_build
 install_missing
 build="$root/build/coverage"
-# Counting takes time, and a test that is ended for taking too long has counted for nothing.
+# Counting takes time, and a test that is killed for exceeding its time counts nothing.
 configure -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=g++ -DLAMBENT_WRAP_PYTHON=OFF \
   -DLAMBENT_TEST_TIMEOUT=3600 "-DCMAKE_CXX_FLAGS=-O1 --coverage -fprofile-update=atomic"
 compile
 find "$build" -name '*.gcda' -delete
-export GCOV_ERROR_FILE=/dev/null # where no file can be written, counts cannot either
+export GCOV_ERROR_FILE=/dev/null # hides the errors of processes that may not write files
 ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" --exclude-regex '^Build\.' "$@" >&2 ||
   say "Some tests failed; what they reached counts all the same"
 mkdir -p "$build/report"

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The READMEs are true: they quote the examples word for word, their links and images resolve, and their
+"""The READMEs are correct: they quote the examples word for word, their links and images resolve, and their
 tables list every setting, every option, every file format, and the measured times. The tests of the gallery
-check that the quoted files run and draw the picture.
+check that the quoted files run and render the picture.
 
     TestReadme.py             needs the standard library only; LAMBENT_COMMAND may name the command
     TestReadme.py --update    copies the examples into the READMEs
@@ -24,8 +24,8 @@ COMMAND = os.environ.get("LAMBENT_COMMAND")
 
 
 def setters(header):
-    """The names of the public methods of a class that change what it makes, with those of its superclass
-    in the same folder."""
+    """The names of the public methods of a class that change its output, with those of its superclass in the
+    same folder."""
     text = read(header)
     public = text.split("\npublic:\n")[1].split("\nprotected:\n")[0]
     superclass = re.search(r"^class \w+ \w+ : public (\w+)$", text, re.MULTILINE).group(1)
@@ -38,9 +38,9 @@ def setters(header):
 
 
 def settings(text):
-    """The names of the methods that a text has as code, and which of them may belong to any class."""
+    """The names of the methods that a text shows as code, and those of them that may belong to any class."""
     known = set(re.findall(r"`(\w+)", text))
-    # "`SetFooToBar()`, `…ToBaz()`" names SetFooToBaz, too.
+    # "`SetFooToBar()`, `…ToBaz()`" includes SetFooToBaz, too.
     stems = {method.split("To")[0] for method in known if "To" in method}
     tails = re.findall(r"`…(\w+)", text)
     named = {method for method in known if re.match("(Set|Add|Remove|Reset)[A-Z]", method)
@@ -116,7 +116,7 @@ class Claims(unittest.TestCase):
         gallery = section(read("Examples/README.md"), "Gallery")
         for name in names:
             self.assertIn("](Testing/Baselines/%s)" % name, read("README.md"))
-            if name != "Seashell.png":  # that of the quick starts
+            if name != "Seashell.png":  # the picture of the quick starts
                 self.assertIn("](../Testing/Baselines/%s)" % name, gallery)
         for source in re.findall(r"^    (\w+)\)?$", read("Examples/Gallery/Pictures.cmake"), re.MULTILINE):
             self.assertIn("](Gallery/%s.cxx)" % source, gallery)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Includes go one way, and the map of the folders in Rendering/README.md shows how."""
+"""Includes go in one direction only, as the map of the folders in Rendering/README.md shows."""
 
 import re
 import unittest

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Markdown pages of the source tree, and what they consist of: sections, links, quoted code, tables."""
+"""The Markdown pages of the source tree, and their parts: sections, links, quoted code, tables."""
 
 import os
 import posixpath
@@ -8,8 +8,8 @@ import re
 import textwrap
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-# <!-- file: PATH --> or <!-- file: PATH | TEXT | TEXT -->, which quotes from the first line that contains
-# the first text to the next line that contains the second.
+# <!-- file: PATH --> or <!-- file: PATH | TEXT | TEXT -->. The latter quotes from the first line that
+# contains the first text to the next line that contains the second.
 QUOTE = re.compile(r"(<!-- file: (\S+)(?: \| (.+?) \| (.+?))? -->\n```\w+\n)(.*?)(```\n)", re.DOTALL)
 FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 LICENCE = re.compile(r"\A(?:(?://|#) SPDX-.*\n)+\n?")
@@ -21,8 +21,8 @@ def read(path):
 
 
 def pages():
-    """The paths of all Markdown files, relative to the root and with slashes. Hidden folders and builds are
-    left out."""
+    """The paths of all Markdown files, relative to the root and with slashes, without hidden folders and
+    builds."""
     found = []
     for folder, children, files in os.walk(ROOT):
         children[:] = [name for name in children
@@ -61,7 +61,7 @@ def update():
 
 
 def section(text, title):
-    """What follows a heading, up to the next of its level or above."""
+    """The text after a heading, up to the next heading of its level or above."""
     level = re.search(r"^(#+) %s$" % re.escape(title), text, re.MULTILINE)
     if not level:
         raise ValueError("there is no heading '%s'" % title)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The folders of the sources, and which others each may include: data walks down this list.
+"""The folders of the sources, and the other folders that each may include: data walks down this list.
 
     python3 Testing/Documentation/rooms.py        prints the map that Rendering/README.md shows
 """
@@ -51,7 +51,7 @@ def sources(room):
 
 
 def rooms_of_headers():
-    """Header name -> the rooms that have one of that name."""
+    """Maps each header name to the rooms that have a header of that name."""
     found = collections.defaultdict(set)
     for room in ROOMS:
         for path in sources(room):

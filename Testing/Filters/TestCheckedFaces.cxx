@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygons and strips as one list of faces, with the first wrong cell and the marks of those
-// that are not finite.
+// Polygons and strips as one list of faces: its contents, the first wrong cell, and the marks of
+// faces that are not finite.
 #include "CheckedFaces.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using namespace lambent;
 
 namespace
 {
-/// A list of cells with the memory of its span.
+/// A list of cells, with the memory of its span.
 struct List
 {
   std::vector<std::int64_t> offsets{ 0 }, corners;
@@ -61,7 +61,7 @@ std::vector<std::vector<std::int64_t>> facesOf(const CheckedFaces& checked)
 using CellList = std::vector<std::vector<std::int64_t>>;
 }
 
-TEST(CheckedFaces, PolygonsAloneAreUsedWhereTheyAre)
+TEST(CheckedFaces, PolygonsWithoutStripsAreUsedInPlace)
 {
   const List polygons{ { 0, 1, 3, 2 }, { 2, 3, 4 } };
   const CheckedFaces checked = check(polygons, {});
@@ -87,7 +87,7 @@ TEST(CheckedFaces, StripsFollowThePolygons)
   EXPECT_EQ(checked.faces.blocks[0].end, 4u);
   EXPECT_EQ(checked.faces.blocks[0].firstPoint, 0);
 
-  // The same where they have been merged before.
+  // The result is the same if the faces have been merged before.
   const CheckedFaces again =
     check(polygons, strips, mergeFaces(polygons.span(), strips.span(), Parallel()));
   EXPECT_EQ(facesOf(again), facesOf(checked));
@@ -112,8 +112,8 @@ TEST(CheckedFaces, TheFirstWrongCellIsFound)
   EXPECT_EQ(defectOf({}, broken).kind, CellDefect::Offsets);
 }
 
-// All triangles of a strip, also those that have finite points only.
-TEST(CheckedFaces, FacesOfCellsThatAreNotFiniteAreMarked)
+// All triangles of a strip are marked, also those with only finite points.
+TEST(CheckedFaces, FacesOfNonFiniteCellsAreMarked)
 {
   const CheckedFaces checked =
     check({ { 0, 1, 2 }, { 0, 1, 5 } }, { { 0, 1, 2, 3 }, { 0, 1, 2, 5 } });

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The normals that the ray tracer computes: the bits of their definition, and what they are
-// on meshes of which one knows.
+// The ray tracer's computed normals: the bits of their definition, and known results on special
+// meshes.
 
 #include "TestingCorners.h"
 
@@ -87,7 +87,7 @@ TEST(CornerNormals, EqualDefinitionOnDoubledAndMirroredMeshes)
   }
 }
 
-// Polygons of many corners, some of which are named several times in a row, across the start too.
+// Polygons of many corners. Some points are named several times in a row, also across the start.
 TEST(CornerNormals, EqualDefinitionOnLargePolygons)
 {
   PolygonMesh prism;
@@ -108,12 +108,12 @@ TEST(CornerNormals, EqualDefinitionOnLargePolygons)
     three.push_back(side < 10 ? 0 : side < 25 ? 3 : 8);
   }
   top.push_back(1);
-  top.insert(top.begin() + 30, 1); // the point once more, from elsewhere
+  top.insert(top.begin() + 30, 1); // the same point at another corner
   prism.faces.insert(prism.faces.end(), { top, bottom, three });
   expectDefinition(prism, { 5.0, 30.0, 80.0, 95.0, 180.0 });
 }
 
-// Rings of ids, some periodic but for a little, against all their rotations.
+// Rings of ids that are periodic or nearly so, compared with all their rotations.
 TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
 {
   for (const int period : { 1, 3, 5, 7 })
@@ -130,7 +130,7 @@ TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
       {
         ring.push_back(k % period);
       }
-      for (const std::int64_t apex : { period, period + 1 }) // twice the same, but for one point
+      for (const std::int64_t apex : { period, period + 1 }) // two faces that differ in one point
       {
         auto face = ring;
         face.insert(face.end(), { apex, period + 2, 0, 1 % period });
@@ -144,7 +144,7 @@ TEST(CornerNormals, EqualDefinitionOnPeriodicPolygons)
   }
 }
 
-// Pages that share their spine, an edge of as many faces.
+// Pages of a book: one edge, the spine, belongs to many faces.
 TEST(CornerNormals, EqualDefinitionOnEdgesOfManyFaces)
 {
   for (const int pages : { 3, 4, 63, 64, 65, 66 })
@@ -185,7 +185,7 @@ TEST(CornerNormals, FacesOfACubeStayFlat)
   }
 }
 
-// Also at 180 degrees, where everything else is smooth.
+// The two sides stay apart even at 180 degrees, where everything else is smooth.
 TEST(CornerNormals, FacesOnBothSidesOfASheetDoNotMix)
 {
   const PolygonMesh sheet = makeSheet(8, [](double x, double y) { return 0.3 * x * y + x * x; });
@@ -209,8 +209,8 @@ TEST(CornerNormals, FacesOnBothSidesOfASheetDoNotMix)
   }
 }
 
-// Neighbours that run opposite ways: each has its own side's normal, and none is rounding noise.
-TEST(CornerNormals, FacesThatRunOppositeWaysDoNotCancel)
+// Neighbours of opposite orientation each have the normal of their own side, not rounding noise.
+TEST(CornerNormals, FacesOfOppositeOrientationDoNotCancel)
 {
   PolygonMesh sheet = makeSheet(7, [](double x, double y) { return 0.1 * x - 0.2 * y; });
   for (std::size_t face = 0; face < sheet.faces.size(); face += 2)
@@ -232,7 +232,7 @@ TEST(CornerNormals, FacesThatRunOppositeWaysDoNotCancel)
   }
 }
 
-// The faces round the tip of a needle look to all sides; their sum is nothing but rounding.
+// The faces around the tip of a needle face all directions, so their sum is only rounding error.
 TEST(CornerNormals, FacesOfANeedleHaveTheirOwnNormals)
 {
   constexpr int sides = 48;
@@ -255,8 +255,8 @@ TEST(CornerNormals, FacesOfANeedleHaveTheirOwnNormals)
   }
 }
 
-// Its sides meet at 30 degrees, as far as floats can tell.
-TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
+// The sides meet at 30 degrees, up to the rounding of floats.
+TEST(CornerNormals, TwelveSidedTubeIsSmooth)
 {
   for (int start = 0; start < 40; ++start)
   {
@@ -279,8 +279,8 @@ TEST(CornerNormals, SidesOfATwelveSidedTubeGoSmoothlyIntoEachOther)
   }
 }
 
-// vtkPolyDataNormals gives each group of corners that go together a copy of the point.
-TEST(CornerNormals, GroupsAreThoseOfVTKOnClosedMeshes)
+// vtkPolyDataNormals gives each group of linked corners its own copy of the point.
+TEST(CornerNormals, GroupsEqualVTKsOnClosedMeshes)
 {
   for (const double angle : { 20.0, 30.0, 45.0 })
   {

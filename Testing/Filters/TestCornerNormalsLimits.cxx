@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How many normals a mesh gets, how many it may get, and how long that may take.
+// How many normals a mesh gets, how many it may have, and how long computing them may take.
 
 #include "TestingCorners.h"
 
@@ -19,7 +19,7 @@
 
 namespace
 {
-// The arrays of a mesh as faces.
+// A mesh's arrays as faces.
 struct MeshArrays
 {
   std::vector<double> points;
@@ -45,7 +45,7 @@ struct MeshArrays
   }
 };
 
-// Remembers how far the work has come.
+// Remembers the progress of the work.
 class WatchedWork : public lambent::Parallel
 {
 public:
@@ -69,7 +69,7 @@ TEST(CornerNormals, SmoothMeshesNeedNoNumbers)
     std::vector<float>(normals.normals.get(), normals.normals.get() + ofPoints.size()), ofPoints);
 }
 
-// The count has a limit because corners name normals by 32-bit numbers.
+// The number of normals is limited because corners have 32-bit indices of normals.
 TEST(CornerNormals, TooManyAreAnError)
 {
   const MeshArrays cube(makeCubeOfQuads());
@@ -88,11 +88,11 @@ TEST(CornerNormals, TooManyAreAnError)
           " normals. Compute them with vtkLambentNormals, or draw the mesh in parts.");
     }
   }
-  // Points that need no numbers may be more.
+  // If no corner needs an index, there may be more points.
   EXPECT_FALSE(lambent::computeCornerNormals(cube.faces, 180.0, lambent::Parallel(), 7).numbers);
 }
 
-TEST(CornerNormals, TooManyAreNoticedEarly)
+TEST(CornerNormals, TooManyAreDetectedEarly)
 {
   PolygonMesh cubes;
   for (int k = 0; k < 200000; ++k)
@@ -112,8 +112,8 @@ TEST(CornerNormals, TooManyAreNoticedEarly)
   EXPECT_LT(work.Done, 0.5);
 }
 
-// Two faces of many corners meet at all of them, several times at each. Comparing them anew at
-// each corner, or at each rotation, took minutes.
+// Two faces with many corners meet at all of them, several times at each. Comparing the faces again
+// at each corner, or at each rotation, took minutes.
 TEST(CornerNormals, PeriodicPolygonsTakeLittleTime)
 {
   constexpr int period = 1250, repeats = 16;
@@ -129,7 +129,7 @@ TEST(CornerNormals, PeriodicPolygonsTakeLittleTime)
   {
     ring.push_back(k % period);
   }
-  for (const std::int64_t last : { period, period + 1 }) // the first time they are opposite
+  for (const std::int64_t last : { period, period + 1 }) // opposite the first time only
   {
     std::vector<std::int64_t> front = ring, back = ring;
     front.push_back(period);
@@ -139,7 +139,7 @@ TEST(CornerNormals, PeriodicPolygonsTakeLittleTime)
     const std::vector<float> normals =
       computedCornerNormals(mesh, 180.0, MeshStorage::Wide, lambent::Parallel());
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    EXPECT_LT(seconds.count(), 2.0); // 0.02 on any machine of today
+    EXPECT_LT(seconds.count(), 2.0); // takes about 0.02 on current machines
     for (std::size_t corner = 0; corner < front.size(); ++corner)
     {
       EXPECT_GT(normals[3 * corner + 2], 0.5);

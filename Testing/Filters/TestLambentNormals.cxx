@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkLambentNormals against closed forms, against vtkPolyDataNormals where the two
-// must agree, and as a citizen of the pipeline.
+// Compares vtkLambentNormals with closed forms and, where the two must agree, with
+// vtkPolyDataNormals, and tests it as a pipeline stage.
 
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
@@ -29,8 +29,8 @@ namespace
 constexpr int AllWeightings[] = { vtkLambentNormals::UNIFORM, vtkLambentNormals::AREA,
   vtkLambentNormals::ANGLE, vtkLambentNormals::MAX };
 
-// The corner of a box at the origin, seen from inside: the wall x = 0 is cut into
-// two triangles at the corner, the walls y = 0 and z = 0 have one each, 3 long.
+// The corner of a box at the origin, seen from inside. Two triangles of the wall x = 0 meet at the
+// corner; the walls y = 0 and z = 0 have one triangle each, with an edge of length 3.
 vtkSmartPointer<vtkPolyData> makeCorner()
 {
   return makeMesh({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 1, 1 } },
@@ -59,9 +59,9 @@ TEST(LambentNormals, CornerOfABoxByHand)
   }
 }
 
-TEST(LambentNormals, AnglesDoNotDependOnHowAPlaneIsCut)
+TEST(LambentNormals, AngleWeightsDoNotDependOnTheTriangulation)
 {
-  // One face of the cube once as a quad, once cut along either diagonal.
+  // One face of the cube as a quad, then divided along each diagonal.
   vtkNew<vtkLambentNormals> normals;
   const std::vector<std::vector<Face>> cuts = { { { 0, 4, 6, 2 } }, { { 0, 4, 6 }, { 0, 6, 2 } },
     { { 0, 4, 2 }, { 4, 6, 2 } } };
@@ -84,7 +84,7 @@ TEST(LambentNormals, AnglesDoNotDependOnHowAPlaneIsCut)
   }
 }
 
-TEST(LambentNormals, AllWeightingsKnowThatAConcavePolygonIsFlat)
+TEST(LambentNormals, ConcavePolygonIsFlatInAllWeightings)
 {
   // An L of six points, and the square that fills its reflex corner.
   vtkSmartPointer<vtkPolyData> mesh = makeMesh(
@@ -103,10 +103,10 @@ TEST(LambentNormals, AllWeightingsKnowThatAConcavePolygonIsFlat)
   }
 }
 
-TEST(LambentNormals, ReflexCornerCountsWithItsInnerAngle)
+TEST(LambentNormals, ReflexCornerUsesItsInnerAngle)
 {
-  // The L lies in z = 0; on its edge from the reflex corner stands a wall that faces
-  // -y. At that corner the L has 270 degrees, the wall 90.
+  // The L lies in z = 0. A wall that faces -y stands on its edge from the reflex corner. At that
+  // corner the L's angle is 270 degrees, the wall's 90.
   vtkSmartPointer<vtkPolyData> mesh =
     makeMesh({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 },
                { 2, 1, 1 }, { 1, 1, 1 } },
@@ -146,10 +146,10 @@ TEST(LambentNormals, SphereNormalsPointAwayFromTheCentre)
   }
 }
 
-TEST(LambentNormals, FarFromTheOriginNothingIsLost)
+TEST(LambentNormals, NoPrecisionIsLostFarFromTheOrigin)
 {
-  // Edges of 2^-10 at coordinates of 2^23, which are exact in double: the same bits
-  // as near the origin, also for a polygon.
+  // Edges of 2^-10 at coordinates of 2^23, which are exact in double. The bits must be the same as
+  // near the origin, also for a polygon.
   const Vector far{ 8388608.0, -8388608.0, 4194304.0 };
   const double size = 1.0 / 1024.0;
   std::vector<Vector> here, there;

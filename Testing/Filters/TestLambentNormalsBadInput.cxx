@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkLambentNormals does with bad, degenerate and empty input.
+// vtkLambentNormals with bad, degenerate and empty input.
 
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
@@ -35,7 +35,7 @@ void expectParts(const std::vector<std::string>& messages, std::vector<std::stri
   }
 }
 
-// After any trouble the next good input works.
+// After an error, the next good input works.
 void expectNextGoodUpdateWorks(vtkLambentNormals* normals, const Messages& messages)
 {
   const std::size_t errors = messages.errors.size();
@@ -49,7 +49,7 @@ void expectNextGoodUpdateWorks(vtkLambentNormals* normals, const Messages& messa
 }
 }
 
-TEST(LambentNormalsBadInput, PointThatDoesNotExist)
+TEST(LambentNormalsBadInput, MissingPoint)
 {
   for (vtkIdType point : { vtkIdType(8), vtkIdType(-1), vtkIdType(1) << 40 })
   {
@@ -74,7 +74,7 @@ TEST(LambentNormalsBadInput, PointThatDoesNotExist)
   }
 }
 
-// vtkPoints refuses an array of two components, but not that the array changes.
+// vtkPoints rejects an array of two components, but does not notice if its array changes later.
 TEST(LambentNormalsBadInput, PointsOfTwoComponents)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
@@ -88,7 +88,7 @@ TEST(LambentNormalsBadInput, PointsOfTwoComponents)
   expectNextGoodUpdateWorks(normals, messages);
 }
 
-TEST(LambentNormalsBadInput, PointThatDoesNotExistInEveryKindOfCell)
+TEST(LambentNormalsBadInput, MissingPointInEveryKindOfCell)
 {
   using Setter = void (vtkPolyData::*)(vtkCellArray*);
   const std::pair<Setter, const char*> kinds[] = { { &vtkPolyData::SetVerts, "Cell 0 " },
@@ -108,7 +108,7 @@ TEST(LambentNormalsBadInput, PointThatDoesNotExistInEveryKindOfCell)
   }
 }
 
-TEST(LambentNormalsBadInput, OffsetsThatLeadNowhere)
+TEST(LambentNormalsBadInput, InvalidOffsets)
 {
   for (vtkTypeInt64 offset : { -1, 2, 9 })
   {
@@ -133,17 +133,17 @@ TEST(LambentNormalsBadInput, OffsetsThatLeadNowhere)
   }
 }
 
-TEST(LambentNormalsBadInput, NonFiniteCellsCountForNothing)
+TEST(LambentNormalsBadInput, NonFiniteCellsAreIgnored)
 {
   for (double bad : { Infinity, -Infinity, NotANumber })
   {
     for (int component : { 0, 1, 2 })
     {
       vtkSmartPointer<vtkPolyData> cube = makeCube();
-      Vector p = pointOf(cube, 7); // of the faces 1, 3 and 5
+      Vector p = pointOf(cube, 7); // a corner of the faces 1, 3 and 5
       p[component] = bad;
       cube->GetPoints()->SetPoint(7, p.data());
-      vtkNew<vtkCellArray> strips; // and of one strip, of which two triangles are good
+      vtkNew<vtkCellArray> strips; // which a strip with two good triangles uses, too
       strips->InsertNextCell({ 0, 2, 1, 3, 7 });
       cube->SetStrips(strips);
       vtkNew<vtkCellArray> verts;
@@ -173,7 +173,7 @@ TEST(LambentNormalsBadInput, NonFiniteCellsCountForNothing)
   }
 }
 
-TEST(LambentNormalsBadInput, NonFinitePointsThatNoFaceUsesAreNoMatter)
+TEST(LambentNormalsBadInput, UnusedNonFinitePointsAreHarmless)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
   cube->GetPoints()->InsertNextPoint(NotANumber, 0.0, 0.0);
@@ -187,11 +187,10 @@ TEST(LambentNormalsBadInput, NonFinitePointsThatNoFaceUsesAreNoMatter)
   expectNear(tupleOf(array, 7), unit({ 1, 1, 1 }), 1e-7);
 }
 
-TEST(LambentNormalsBadInput, WhatHasNoNormalGetsZero)
+TEST(LambentNormalsBadInput, MissingNormalsAreZero)
 {
-  // A triangle; one without area that shares an edge with it; a polygon of two
-  // points and one of none; a point that nothing uses; triangles whose areas are
-  // beyond binary64.
+  // A triangle; one without area that shares an edge with it; a polygon of two points and one of
+  // none; an unused point; triangles whose areas exceed the range of binary64.
   vtkSmartPointer<vtkPolyData> mesh =
     makeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 2, 0, 0 }, { 9, 9, 9 }, { 1e200, 0, 0 },
                { 0, 1e200, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 } },
@@ -239,7 +238,7 @@ TEST(LambentNormalsBadInput, BlocksOfPolygonsWithoutPoints)
     referenceNormals(makeCube(), vtkLambentNormals::ANGLE));
 }
 
-// What follows points and cells that are copied must be long enough to be copied.
+// The data of copied points and cells must be long enough to be copied.
 TEST(LambentNormalsBadInput, DataOfTheWrongLength)
 {
   vtkNew<vtkLambentNormals> normals;
@@ -251,7 +250,7 @@ TEST(LambentNormalsBadInput, DataOfTheWrongLength)
   normals->Update();
   expectParts(messages.errors, { "point data array \"short\" has 7 tuples", "8 points", "Remove" });
   EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0);
-  normals->SplittingOff(); // now it only passes through
+  normals->SplittingOff(); // the data now only passes through
   normals->Update();
   EXPECT_EQ(messages.errors.size(), 1u);
   EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 8);
@@ -272,8 +271,8 @@ TEST(LambentNormalsBadInput, DataOfTheWrongLength)
   expectNextGoodUpdateWorks(normals, messages);
 }
 
-// Strips of fewer than three points have no triangles. Where strips become triangles
-// nothing is left of them, and each cell that is left has its normal.
+// Strips of fewer than three points have no triangles. Where strips become triangles they
+// disappear, and each remaining cell has its normal.
 TEST(LambentNormalsBadInput, StripsWithoutATriangle)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
@@ -291,7 +290,7 @@ TEST(LambentNormalsBadInput, StripsWithoutATriangle)
   EXPECT_TRUE(messages.errors.empty());
 }
 
-// Flipping turns computed normals; it is told once where there are none to turn.
+// Flipping negates computed normals. If there are none, there is one warning.
 TEST(LambentNormalsBadInput, FlippingWithoutComputingPointNormals)
 {
   const auto warningsOf = [](bool hasNormals, bool computesPoints, bool computesCells)
@@ -321,7 +320,7 @@ TEST(LambentNormalsBadInput, FlippingWithoutComputingPointNormals)
   EXPECT_TRUE(warningsOf(true, true, false).empty());
 }
 
-TEST(LambentNormalsBadInput, NothingGivesNothing)
+TEST(LambentNormalsBadInput, EmptyInputGivesEmptyOutput)
 {
   for (bool everything : { false, true })
   {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkLambentNormals does to cells: flipping, strips, cell normals, and the data
-// that follows.
+// What vtkLambentNormals does with cells: flipping, strips, cell normals, and the cell data.
 
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
@@ -19,7 +18,7 @@
 #include <algorithm>
 #include <functional>
 
-TEST(LambentNormalsCells, FlippingTurnsNormalsAndPolygons)
+TEST(LambentNormalsCells, FlippingReversesNormalsAndPolygons)
 {
   RandomMeshOptions options;
   options.cells = 300;
@@ -48,7 +47,7 @@ TEST(LambentNormalsCells, FlippingTurnsNormalsAndPolygons)
   }
 }
 
-TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyWhereTheyMust)
+TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyIfNeeded)
 {
   RandomMeshOptions options;
   options.cells = 300;
@@ -101,7 +100,7 @@ TEST(LambentNormalsCells, StripsBecomeTrianglesOnlyWhereTheyMust)
   }
 }
 
-// Whose squares vanish, so that their angle cannot be told. The other corners are none the worse.
+// The squares of these edges underflow, so their angle is undefined. Other corners are unaffected.
 TEST(LambentNormalsCells, CornersBetweenVanishingEdgesAddNothing)
 {
   constexpr double tiny = 1e-90;
@@ -147,7 +146,7 @@ TEST(LambentNormalsCells, InputIsNeverModified)
   EXPECT_EQ(mesh->GetNumberOfPoints(), before->GetNumberOfPoints());
   EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 1);
   EXPECT_EQ(mesh->GetCellData()->GetNumberOfArrays(), 0);
-  // The output's cells are its own, not what the input had looked up.
+  // The output has its own lookup of cells, not the input's.
   vtkPolyData* output = normals->GetOutput();
   const vtkIdType first = output->GetNumberOfVerts() + output->GetNumberOfLines();
   EXPECT_EQ(output->GetCell(first)->GetPointId(0), facesOf(output)[0][0]);

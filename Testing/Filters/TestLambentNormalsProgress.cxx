@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What vtkLambentNormals tells while it works, and how it ends when it is aborted.
+// The progress that vtkLambentNormals reports, and the result of aborting it.
 
 #include "Chunks.h"
 #include "TestingNormals.h"
@@ -23,7 +23,7 @@
 
 namespace
 {
-/// What is told of the progress; aborts the filter at one of these moments.
+/// Records the reported progress, and aborts the filter at one of the reports.
 struct Watcher
 {
   std::vector<double> told;
@@ -111,7 +111,7 @@ std::vector<float> normalsOf(vtkLambentNormals* normals)
 }
 }
 
-TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
+TEST(LambentNormalsProgress, IncreasesInTheCallingThread)
 {
   for (const Manner& manner : Manners)
   {
@@ -128,8 +128,8 @@ TEST(LambentNormalsProgress, ComesFromTheCallingThreadAndRises)
   }
 }
 
-// Each pass over the faces is told of in parts.
-TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
+// Each pass over the faces reports its progress in parts.
+TEST(LambentNormalsProgress, IsReportedMoreOftenForALargerMesh)
 {
   constexpr int resolution = 900;
   constexpr std::size_t parts = 2u * resolution * resolution / lambent::mostItemsPerPart;
@@ -151,8 +151,8 @@ TEST(LambentNormalsProgress, IsToldMoreOftenOfALargerMesh)
   }
 }
 
-// At each of some of the moments that are told. The last one is the executive's.
-TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutputAndTheNextOneIsRight)
+// Aborts at some of the reports. The last report is the executive's.
+TEST(LambentNormalsProgress, AbortGivesAnEmptyOutputAndTheNextOneIsRight)
 {
   for (const Manner& manner : Manners)
   {
@@ -175,7 +175,7 @@ TEST(LambentNormalsProgress, AbortLeavesAnEmptyOutputAndTheNextOneIsRight)
       EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0) << k;
       watcher.abortAt = ~std::size_t(0);
       normals->SetAbortExecute(0);
-      normals->Update(); // with nothing changed since
+      normals->Update(); // although nothing has changed
       EXPECT_EQ(normalsOf(normals), expected) << k;
     }
     EXPECT_TRUE(messages.errors.empty());

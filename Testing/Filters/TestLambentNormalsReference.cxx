@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkLambentNormals against its definition, a plain serial loop, bit for bit: any
-// number of threads, any backend, any kind of cell and of number.
+// Compares vtkLambentNormals with its definition, a plain serial loop, bit for bit: any number of
+// threads, any backend, all kinds of cells and number types.
 
 #include "../Rendering/Backends.h"
 #include "TestingNormals.h"
@@ -19,7 +19,7 @@
 
 namespace
 {
-// Runs a test on a backend and a number of threads, and puts things back.
+// Selects a backend and a number of threads for a test, and restores the previous ones.
 class Threads
 {
 public:
@@ -92,19 +92,19 @@ TEST(LambentNormalsReference, RandomMeshesOfAllCellsAndNumbers)
   }
 }
 
-TEST(LambentNormalsReference, FewPointsOfVeryManyFaces)
+TEST(LambentNormalsReference, FewPointsWithVeryManyFaces)
 {
   RandomMeshOptions options;
-  options.points = 5; // fewer than there are ranges
+  options.points = 5; // fewer than the ranges
   options.cells = 3000;
   compareOnAllThreads(makeRandomMesh(options));
 }
 
 TEST(LambentNormalsReference, SumsRunInTheOrderOfTheCells)
 {
-  // Twice the areas at point 0: L towards z, 1 towards z, L towards -z, 1 towards x.
-  // L + 1 is L, so in this order the sum is (1, 0, 0); in another it would not be.
-  // Other cells in between keep the four in blocks of their own.
+  // Twice the areas at point 0: L towards z, 1 towards z, L towards -z, 1 towards x. L + 1 is L, so
+  // the sum in this order is (1, 0, 0); in any other order it is not. Other cells in between keep
+  // the four in separate blocks.
   const double size = 536870912.0; // 2^29, so that L is 2^58
   std::vector<Vector> points = { { 0, 0, 0 }, { size, 0, 0 }, { 0, size, 0 }, { 1, 0, 0 },
     { 0, 1, 0 }, { 0, 0, 1 } };

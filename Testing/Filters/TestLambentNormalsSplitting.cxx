@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// vtkLambentNormals along sharp edges: which points are copied, in which order, and
-// what follows them.
+// Sharp edges in vtkLambentNormals: which points are copied, in which order, and with which data.
 
 #include "TestingNormals.h"
 #include "vtkLambentNormals.h"
@@ -27,8 +26,8 @@
 
 namespace
 {
-// The definition of splitting, point by point, with the faces of each edge looked up
-// in a table and groups grown by walking from face to face.
+// The definition of splitting, point by point: a table has the faces of each edge, and groups grow
+// from face to face.
 std::vector<Face> referenceSplit(
   vtkPolyData* mesh, double cosine, std::vector<vtkIdType>& copiedPoints)
 {
@@ -107,7 +106,7 @@ std::vector<Face> referenceSplit(
 }
 }
 
-TEST(LambentNormalsSplitting, CubeFallsIntoItsFaces)
+TEST(LambentNormalsSplitting, CubeSplitsIntoItsFaces)
 {
   vtkSmartPointer<vtkPolyData> cube = makeCube();
   cube->GetPointData()->AddArray(makeNumbers("Number", 8));
@@ -121,8 +120,8 @@ TEST(LambentNormalsSplitting, CubeFallsIntoItsFaces)
   ASSERT_EQ(output->GetNumberOfCells(), 6);
   EXPECT_EQ(cube->GetNumberOfPoints(), 8);
 
-  // Point 7 is used by the faces 1, 3 and 5: the first keeps it, the others get the
-  // last two copies, in this order.
+  // The faces 1, 3 and 5 use point 7. The first keeps it; the others get the last two copies, in
+  // this order.
   const std::vector<Face> before = facesOf(cube);
   const std::vector<Face> after = facesOf(output);
   const auto idOf7 = [&](int face)
@@ -192,8 +191,8 @@ TEST(LambentNormalsSplitting, AgreesWithVTKOnASplitCube)
 
 TEST(LambentNormalsSplitting, EqualsTheDefinition)
 {
-  // A coarse sphere with displaced points has edges of every angle; more triangles
-  // between its points bring edges of three and more faces.
+  // A coarse sphere with displaced points has edges of all angles. Further triangles between its
+  // points make edges of three and more faces.
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(40);
   sphere->SetPhiResolution(30);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The kernels of the normals: the same bits as the plain code that defines them, with
-// every instruction set; and the accuracy of the angles.
+// The kernels of the normals give the bits of the plain code that defines them, with every
+// instruction set; and the angles are accurate.
 
 #include "CheckKernel.h"
 #include "CornerAngles.h"
@@ -27,7 +27,7 @@ namespace
 constexpr Weighting allWeightings[] = { Weighting::Uniform, Weighting::Area, Weighting::Angle,
   Weighting::Max };
 
-// Several workers, one after the other.
+// Several workers that run one after the other.
 class InTurn : public Parallel
 {
 public:
@@ -60,9 +60,9 @@ struct Triangles
   }
 };
 
-// Triangles of all shapes: between points near to each other and far apart, in small
-// whole coordinates (right angles, equal edges, no area), needles, of enormous and of
-// tiny size, and with coordinates that are no numbers.
+// Triangles of all shapes: between points close to each other and far apart; in small whole
+// coordinates (right angles, equal edges, no area); needles; enormous and tiny ones; and some with
+// infinite or NaN coordinates.
 template <typename Coordinate, typename Id>
 Triangles<Coordinate, Id> makeTriangles(unsigned int seed, int pointCount, int triangleCount)
 {
@@ -163,7 +163,7 @@ TEST(NormalKernels, EqualTheDefinitionDouble64)
   comparePlainWithKernels<double, std::int64_t>();
 }
 
-TEST(NormalKernels, ChecksFindWhatIsAnywhere)
+TEST(NormalKernels, ChecksFindDefectsAtAnyPosition)
 {
   onAllTargets(
     []
@@ -192,10 +192,10 @@ TEST(NormalKernels, ChecksFindWhatIsAnywhere)
           EXPECT_EQ(range.last, std::max<std::int64_t>(ids[i], count > 1 ? 5 : ids[i]));
           ids[i] = 5;
 
-          offsets[i + 1] += 1; // the next cell has two
+          offsets[i + 1] += 1; // the next cell has two points
           EXPECT_FALSE(classifyOffsets(offsets.data(), count).areOfTriangles);
           EXPECT_TRUE(classifyOffsets(offsets.data(), count).areAscending);
-          offsets[i + 1] -= 5; // this one has -1
+          offsets[i + 1] -= 5; // this cell has -1 points
           EXPECT_FALSE(classifyOffsets(offsets.data(), count).areAscending);
           offsets[i + 1] += 4;
         }
@@ -210,12 +210,12 @@ TEST(CornerAngles, AreAccurate)
   double worst = 0.0, worstOfTriangle = 0.0;
   for (int i = 0; i < 300000; ++i)
   {
-    // Of all sizes, and so near to 0 and to half a turn.
+    // All magnitudes, so that angles are also close to 0 and to half a turn.
     const double y = std::fabs(uniform(random)) * std::pow(10.0, i % 13 - 6);
     const double x = uniform(random);
     worst = std::max(worst, ulps(angleOf(y, x), std::atan2(static_cast<long double>(y), x)));
 
-    // The triangle (0, 0), (1, 0), (p, y); its area vector is y long.
+    // The triangle (0, 0), (1, 0), (p, y); its area vector has the length y.
     const double p = 2.0 * x;
     const long double longY = y, longP = p;
     const double products[] = { p, 1.0 - p,
@@ -233,7 +233,7 @@ TEST(CornerAngles, AreAccurate)
   EXPECT_LE(worstOfTriangle, 4.0);
 }
 
-TEST(CornerAngles, AreExactWhereTheyCanBe)
+TEST(CornerAngles, AreExactForSpecialAngles)
 {
   EXPECT_EQ(angleOf(0.0, 1.0), 0.0);
   EXPECT_EQ(angleOf(0.0, 0.0), 0.0);
@@ -241,7 +241,7 @@ TEST(CornerAngles, AreExactWhereTheyCanBe)
   EXPECT_EQ(angleOf(3.0, 0.0), 0.5 * piHigh);
   EXPECT_EQ(angleOf(3.0, 3.0), 0.25 * piHigh);
   EXPECT_EQ(angleOf(3.0, -3.0), 0.75 * piHigh);
-  const TriangleAngles half = anglesOf(1.0, 1.0, 0.0, 1.0); // of a square
+  const TriangleAngles half = anglesOf(1.0, 1.0, 0.0, 1.0); // of half a square
   EXPECT_EQ(half.a, 0.25 * piHigh);
   EXPECT_EQ(half.b, 0.5 * piHigh);
   EXPECT_EQ(half.c, 0.25 * piHigh);

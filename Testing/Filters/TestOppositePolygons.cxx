@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether two rings of points are the same the other way round, against all their rotations.
+// Compares the test for opposite rings of points with a search through all rotations.
 
 #include "OppositePolygons.h"
 
@@ -37,7 +37,8 @@ bool haveOppositeRotations(const Ring& a, Ring b)
   return false;
 }
 
-// Of few points, so that many are periodic or nearly so; half of them are others, turned.
+// Rings of few distinct points, so that many are periodic or nearly so. Half of the rings are
+// rotated copies of others; some of these are also reversed.
 Rings makeRings(unsigned int seed, std::size_t size)
 {
   std::mt19937 random(seed);
@@ -71,7 +72,7 @@ TEST(OppositePolygons, EqualAllRotations)
     {
       const Rings rings = makeRings(seed, size);
       lambent::OppositePolygons<Rings> opposites(rings);
-      for (int time = 0; time < 2; ++time) // also as it remembers them
+      for (int time = 0; time < 2; ++time) // the second time from the cache
       {
         for (std::int64_t a = 0; a < 48; ++a)
         {
@@ -89,7 +90,7 @@ TEST(OppositePolygons, EqualAllRotations)
   EXPECT_GT(others, 4000);
 }
 
-TEST(OppositePolygons, AreOfTheSameSize)
+TEST(OppositePolygons, HaveTheSameSize)
 {
   const Rings rings{ { Ring(20, 1), Ring(21, 1), Ring(3, 1), Ring(4, 1), Ring(20, 1) } };
   lambent::OppositePolygons<Rings> opposites(rings);

@@ -41,7 +41,7 @@ PolygonMesh toFloats(PolygonMesh mesh)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // volatile: GCC 12 leaves the rounding out where it makes vectors of such a loop.
+      // volatile: GCC 12 omits the rounding when it vectorizes this loop.
       volatile const float rounded = static_cast<float>(point[axis]);
       point[axis] = rounded;
     }
@@ -57,7 +57,7 @@ PolygonMesh makeRandomPolygons(unsigned int seed)
   const std::int64_t pointCount = 20 + 10 * (seed % 8);
   for (std::int64_t i = 0; i < pointCount; ++i)
   {
-    const double height = seed % 2 ? 0.1 : 1.0; // flat meshes have edges that are not sharp
+    const double height = seed % 2 ? 0.1 : 1.0; // flat meshes also have smooth edges
     mesh.points.emplace_back(uniform(random), uniform(random), height * uniform(random));
   }
   for (std::int64_t i = 0; i < 4 * pointCount; ++i)
@@ -150,7 +150,7 @@ PolygonMesh makeCubeOfQuads()
 
 namespace
 {
-// What a face is to a point that it names.
+// A face, seen from one of its points.
 struct FaceHere
 {
   std::size_t face;
@@ -200,7 +200,7 @@ public:
     const std::vector<float> ofPoint = toUnit(this->sum(all));
     const auto here = std::find_if(
       this->Faces.begin(), this->Faces.end(), [face](const FaceHere& f) { return f.face == face; });
-    if (here == this->Faces.end()) // a face of no area: any normal will do
+    if (here == this->Faces.end()) // a face without area: any normal will do
     {
       return {};
     }
@@ -255,7 +255,7 @@ private:
       });
   }
 
-  // All faces that can be reached.
+  // All faces that can be reached from the first.
   std::vector<std::size_t> group(std::size_t first) const
   {
     std::vector<std::size_t> reached{ first };
@@ -272,7 +272,7 @@ private:
     return reached;
   }
 
-  // Which points a face runs to from the point, or comes from.
+  // The points next to this one in a face: those it runs to, or those it comes from.
   std::vector<std::int64_t> neighbours(std::size_t i, int step) const
   {
     const Polygon& face = this->Mesh.faces[this->Faces[i].face];

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Meshes of polygons as plain lists, and the definition of the normals of their corners
-// (CornerNormals.h) as plain loops over all faces.
+// Polygon meshes as plain lists, and the definition of their corner normals (CornerNormals.h) as
+// plain loops over all faces.
 #ifndef TestingCorners_h
 #define TestingCorners_h
 
@@ -18,15 +18,16 @@ struct PolygonMesh
   std::vector<Vec3> points;
   std::vector<std::vector<std::int64_t>> faces;
 
-  // All faces, and each once more in reverse.
+  // All faces, and each of them again in reverse order.
   PolygonMesh doubled() const;
   // The mirror image, with reversed faces.
   PolygonMesh mirrored() const;
 };
 
-// Polygons of random points close to each other; some name points twice, are flat, or opposite.
+// Polygons of random points close to each other. Some name a point twice, are flat, or are opposite
+// to others.
 PolygonMesh makeRandomPolygons(unsigned int seed);
-// A closed surface: a ball of triangles, dented at random by up to this fraction of its radius.
+// A closed surface of triangles: a ball with random dents of up to this fraction of its radius.
 PolygonMesh makeDentedBall(unsigned int seed, double dent);
 // A square sheet of n x n quads at height z(x, y) over [-1, 1] x [-1, 1].
 PolygonMesh makeSheet(int n, double (*z)(double x, double y));

@@ -93,7 +93,7 @@ vtkSmartPointer<vtkPolyData> makeRandomMesh(const RandomMeshOptions& options)
   {
     points->InsertNextPoint(coordinate(random), coordinate(random), coordinate(random));
   }
-  // Mostly points near to each other, as in a mesh, but sometimes from anywhere.
+  // Mostly points close to each other, as in a mesh, but sometimes from anywhere.
   const auto makeCells = [&](std::initializer_list<int> sizes)
   {
     vtkNew<vtkCellArray> cells;
@@ -183,7 +183,7 @@ Vector areaVector(const std::vector<Vector>& corners)
   return sum;
 }
 
-// The angles of a triangle are found together, others one by one.
+// The angles of a triangle are computed together, others one by one.
 double angleAt(const std::vector<Vector>& corners, const Vector& area, std::size_t i)
 {
   const std::size_t n = corners.size();
@@ -331,7 +331,7 @@ Messages::Messages(vtkAlgorithm* algorithm)
   listener->Owner = this;
   algorithm->AddObserver(vtkCommand::ErrorEvent, listener);
   algorithm->AddObserver(vtkCommand::WarningEvent, listener);
-  // The executive adds that the algorithm failed, which says nothing new.
+  // The executive adds that the algorithm failed, which is not new information.
   vtkNew<Listener> deaf;
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, deaf);
 }

@@ -58,7 +58,7 @@ Vector faceNormal(vtkPolyData* mesh, const Face& face);
 // An array of 0, 1, 2 and so on.
 vtkSmartPointer<vtkIntArray> makeNumbers(const char* name, vtkIdType count);
 
-// Three floats per point, by the definition in the documentation of vtkLambentNormals.
+// Three floats per point, by the definition in vtkLambentNormals.h.
 std::vector<float> referenceNormals(vtkPolyData* mesh, int weighting);
 
 std::vector<float> valuesOf(vtkDataArray* array);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The core: whatever the scene, however the work is cut and with whatever vectors, the
-// picture is that of brute force, bit for bit, and the defects of the mesh are the same.
+// The core: for any scene, any division of the work and any vectors, the picture is that of brute
+// force, bit for bit, and the defects of the mesh are the same.
 #include "FuzzInput.h"
 
 #include "CameraFrame.h"
@@ -52,7 +52,7 @@ struct Tuples
   }
 
 private:
-  /// The cast alone would not be defined for what float cannot hold.
+  /// A cast would be undefined for values that a float cannot represent.
   static float toFloat(double value)
   {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -197,7 +197,7 @@ Picture draw(const FuzzScene& from, int samples, const Window& part, const Setti
   return picture;
 }
 
-/// Of what is not a number the bits may differ: the contract is about numbers.
+/// The bits of a NaN may differ, since the contract only covers numbers.
 bool areSame(float a, float b)
 {
   return std::memcmp(&a, &b, sizeof(float)) == 0 || (std::isnan(a) && std::isnan(b));
@@ -244,7 +244,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   static const std::vector<std::string> targets = vectorTargets();
   FuzzInput input(data, size);
-  // How the work is cut comes first: it is short, and the scene takes all that is left.
+  // The division of the work comes first: it is short, and the scene uses all remaining bytes.
   const int samples = 1 + input.choice(4);
   Settings settings;
   settings.tileShift = input.choice(7);
@@ -268,7 +268,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Parallel& parallel = threads > 1 ? several : one;
   if (abortAfter >= 0)
   {
-    draw(scene, samples, part, settings, parallel, abortAfter); // and nothing bad happens
+    draw(scene, samples, part, settings, parallel, abortAfter); // must not crash
   }
   const Window all{ 0, width, 0, height };
   const Settings plain = Settings::bruteForce({ 0, samples * width, 0, samples * height });

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command reads by itself: PLY, STL and OBJ files. A Failure, or a sound mesh.
+// The files that the command's own readers read: PLY, STL and OBJ. The result is a Failure or a
+// valid mesh.
 #include "FuzzInput.h"
 #include "NamelessFile.h"
 
@@ -49,12 +50,12 @@ void check(vtkPolyData* mesh)
   check(mesh->GetStrips());
 }
 
-/// These two have no index that is not checked while it is read.
+/// The readers of STL and OBJ check every index while they read.
 void checkIds(vtkPolyData* mesh)
 {
   if (mesh->GetNumberOfPoints() == 0)
   {
-    return; // there was none in the file
+    return; // the file has none
   }
   check(mesh);
   for (vtkCellArray* const cells : { mesh->GetPolys(), mesh->GetLines(), mesh->GetVerts() })
@@ -90,7 +91,8 @@ void read(std::string_view text, const std::string& path)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  vtkObject::GlobalWarningDisplayOff(); // of texts whose last line is not ended, as most are here
+  vtkObject::GlobalWarningDisplayOff(); // most of these texts cause a warning: their last line does
+                                        // not end
   const NamelessFile file(data, size);
   try
   {

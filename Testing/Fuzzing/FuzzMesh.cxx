@@ -25,8 +25,8 @@
 namespace
 {
 constexpr int mostPoints = 24;
-constexpr int mostCells = 12; // of a kind
-constexpr int mostIds = 9;    // of a cell
+constexpr int mostCells = 12; // of each kind
+constexpr int mostIds = 9;    // of each cell
 
 class SilentWindow : public vtkOutputWindow
 {
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkDataArray> newArray(FuzzInput& input)
   return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(types[kind]));
 }
 
-/// The nearest number that the array can hold; to cast others is not defined.
+/// The nearest number that the array can hold; other conversions are undefined.
 double fitting(vtkDataArray* array, double value)
 {
   const int type = array->GetDataType();
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkDataArray> makeTuples(FuzzInput& input, int count)
   return array;
 }
 
-/// An id, as a rule of one of the points.
+/// An id, usually of one of the points.
 vtkIdType makeId(FuzzInput& input, int pointCount)
 {
   const int id = input.byte();
@@ -131,7 +131,7 @@ vtkSmartPointer<vtkCellArray> makeCells(FuzzInput& input, int pointCount)
   return cells;
 }
 
-/// Sets an attribute, and perhaps others that nobody asks for, of whatever length.
+/// May set normals, an unused array of any length, and global ids.
 void addData(FuzzInput& input, vtkIdType count, vtkDataSetAttributes* data)
 {
   const int tuples = input.seldom() ? input.choice(mostPoints) : static_cast<int>(count);

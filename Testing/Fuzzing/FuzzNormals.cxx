@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLambentNormals: an error and an empty output, or the normals that the plain code finds,
-// bit for bit; and the input is left alone.
+// vtkLambentNormals: either an error and an empty output, or the normals of the plain code, bit for
+// bit. The input is not modified.
 #include "FuzzMesh.h"
 
 #include "CornerNormals.h"
@@ -32,7 +32,7 @@ void set(FuzzInput& input, vtkLambentNormals* filter)
   filter->SetFlipNormals(input.flag());
 }
 
-/// What the ray tracer would compute: the same bits with and without vectors.
+/// Computes the ray tracer's normals: the bits must be the same with and without vectors.
 void checkCornerNormals(const lambent::Faces& faces, double featureAngle)
 {
   const auto compute = [&]()
@@ -51,7 +51,8 @@ void checkCornerNormals(const lambent::Faces& faces, double featureAngle)
     "corners have the numbers of the plain code");
 }
 
-/// Of what is not split, by the plain code. False if the mesh cannot be read.
+/// Computes the normals with the plain code, without splitting. Returns false if the mesh cannot be
+/// read.
 bool computePlainly(vtkLambentNormals* filter, vtkPolyData* mesh, std::vector<float>& points,
   std::vector<float>& cells)
 {
@@ -132,7 +133,7 @@ void check(vtkLambentNormals* filter, vtkPolyData* mesh, int errors)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  // The library, with a core of its own, uses vectors; what is linked here is to be plain.
+  // The library has its own core, which uses vectors. The core that is linked here must be plain.
   lambent::useVectorTarget("plain");
   FuzzInput input(data, size);
   const int threads = input.seldom(32) ? 2 + input.choice(2) : 1;

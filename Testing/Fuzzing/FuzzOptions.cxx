@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line, with a zero byte after each argument: a message and a status, or options that
-// make sense.
+// The command line, with a zero byte after each argument: either a message and a status, or
+// consistent options.
 #include "FuzzInput.h"
 
 #include "Options.h"

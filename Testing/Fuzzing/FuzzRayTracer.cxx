@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkLambentRayTracer: any settings in any order, any inputs, and after each Update() an error
-// and an empty output, or the whole picture that brute force draws of the same scene.
+// vtkLambentRayTracer: any settings in any order, and any inputs. After each Update() there is an
+// error and an empty output, or the whole picture that brute force gives for the same scene.
 #include "FuzzMesh.h"
 
 #include "Render.h"
@@ -308,7 +308,7 @@ private:
       extent[2] = this->Input.choice(size[1]);
       extent[3] = extent[2] + this->Input.choice(size[1] - extent[2]);
     }
-    // Nothing of what was drawn before shall do for an answer.
+    // The previous picture must not pass as the result.
     this->Tracer->GetOutput()->Initialize();
     this->Tracer->Modified();
     const std::string backend = this->Threads > 1 ? vtkSMPTools::GetBackend() : "Sequential";
@@ -411,7 +411,7 @@ private:
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  // The library, with a core of its own, uses vectors; what is linked here is to be plain.
+  // The library has its own core, which uses vectors. The core that is linked here must be plain.
   lambent::useVectorTarget("plain");
   Session(data, size).run();
   return 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of VTK's own kinds, legacy and XML, that VTK's readers read with checks in between: a
-// Failure, or cells that the surface filter can be given.
+// Files of VTK's own kinds, legacy and XML, which VTK's readers read with additional checks. The
+// result is a Failure, or cells that are safe for the surface filter.
 #include "../Rendering/Sanitizers.h"
 #include "FuzzInput.h"
 #include "NamelessFile.h"
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDataObject> read(std::string_view text, const std::string& pa
     case LegacyType::UnstructuredGrid:
       return read<LegacyGridReader>(path);
     case LegacyType::Other:
-      break; // is VTK's alone
+      break; // only VTK's own code reads it
   }
   return nullptr;
 }
@@ -85,7 +85,7 @@ void use(vtkDataObject* data)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
 #if LAMBENT_ADDRESS_SANITIZER
-  const __lsan::ScopedDisabler isTolerated; // VTK's readers lose arrays where a file is broken
+  const __lsan::ScopedDisabler isTolerated; // VTK's readers leak arrays if a file is broken
 #endif
   vtkObject::GlobalWarningDisplayOff(); // VTK's readers complain about most of this
   const std::string_view text(reinterpret_cast<const char*>(data), size);

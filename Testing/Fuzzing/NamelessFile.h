@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief make the bytes of a fuzz target a file that readers can open
+ * @brief make the bytes of a fuzz target available as a file that readers can open
  */
 #ifndef NamelessFile_h
 #define NamelessFile_h

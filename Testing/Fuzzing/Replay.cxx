@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
   for (const std::filesystem::path& path : files)
   {
     std::printf("%s\n", path.filename().string().c_str());
-    std::fflush(stdout); // so that it is known which one ended the process
+    std::fflush(stdout); // shows which file ended the process
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{ std::istreambuf_iterator<char>(file), {} };
     const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());

@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Looks for input that makes something go wrong, with clang's libFuzzer under the address and
-# undefined-behaviour sanitizers, and tells how much was tried:
+# Searches for input that causes failures, with clang's libFuzzer under the address and
+# undefined-behaviour sanitizers, and reports how many inputs were tried:
 #   sh Testing/Fuzzing/run.sh [SECONDS | -runs=N] [TARGET...]
-# It gives each target, one after the other, that much (60 seconds). It begins with Corpus/ and with
-# what earlier runs have kept in build/fuzzing/corpus. Input that ended a target is in
-# build/fuzzing/found: correct what is wrong, and keep it in Corpus/ under a name that tells.
+# Each target in turn runs for this long (by default 60 seconds). It starts with Corpus/ and with what
+# earlier runs have kept in build/fuzzing/corpus. An input that stopped a target is in
+# build/fuzzing/found: correct the defect, and save the input in Corpus/ under a descriptive name.
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)
 here="$root/Testing/Fuzzing"
@@ -35,7 +35,7 @@ configure -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   "-DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
 compile --target "$@"
 
-# VTK's containers were not compiled for the address sanitizer and cross its borders.
+# VTK's containers were not compiled for the address sanitizer, which reports false overflows.
 export ASAN_OPTIONS=detect_container_overflow=0
 export LSAN_OPTIONS="print_suppressions=0:suppressions='$root/.ci/leaks.supp'"
 export UBSAN_OPTIONS=print_stacktrace=1
@@ -45,7 +45,7 @@ printf '%-14s %10s %12s %9s\n' target inputs 'per second' edges
 for target in "$@"; do
   log="$build/log/$target"
   mkdir -p "$build/corpus/$target"
-  # The timeout counts while other work has the processor, too; no input takes a second by itself.
+  # The timeout includes time in which other processes run. No input takes a second of its own.
   options="-timeout=600 -max_len=2000 -print_final_stats=1 -artifact_prefix=$build/found/$target-"
   [ ! -f "$here/$target.dict" ] || options="$options -dict=$here/$target.dict"
   # shellcheck disable=SC2086 # $options is a list of words

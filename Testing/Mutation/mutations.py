@@ -1,12 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What run.py breaks: (file, text that is there once, what it becomes, what that breaks).
+"""What run.py breaks: (file, text that occurs once, its replacement, what that breaks).
 
-Bounds are broken in the direction in which they keep too little; where they keep too much only
-time is lost, and no test can tell. Nor can one where another condition says the same: a triangle
-whose edge functions sum to zero is not hit, and its depth, 0 / 0, would not let it be; and the
-kernel of small triangles leaves those open that are much larger than their box, though its bound
-grows with them.
+Mutations of bounds make them keep too little. Keeping too much only costs time, which no test can
+detect. The same holds for a condition that others imply: a triangle whose edge functions sum to zero
+is not hit, but its depth, 0 / 0, would prevent that, too; and the kernel of small triangles leaves
+those much larger than their box open, though its bound grows with them.
 """
 
 CONTRACT = "Rendering/Core/Contract/ImageContract.h"
@@ -51,7 +50,7 @@ RUN_RANGE = "Rendering/Core/SurfacePoints/RunRange.cxx"
 HITS = "Rendering/Core/Frame/VectorHits.h"
 
 MUTATIONS = [
-    # The arithmetic of the contract.
+    # The contract's arithmetic.
     (ARITHMETIC, "(a.x * b.x + a.y * b.y) + a.z * b.z", "a.x * b.x + (a.y * b.y + a.z * b.z)",
      "dot sums in its order"),
     (ARITHMETIC, "a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z",
@@ -96,7 +95,7 @@ MUTATIONS = [
      "0.5 * height + (0.5 * height) * camera.windowCenter[1]", "the window's centre has its sign"),
     (CAMERA, "constexpr double parallelSine = 1e-10;", "constexpr double parallelSine = 0.0;",
      "a view-up too near to the direction is refused"),
-    # Bounds and float: they may keep too much, never too little.
+    # Bounds and float arithmetic: they may keep too much, never too little.
     (LATTICE, "std::max(u - axis.margin, 0.0)", "std::max(u, 0.0)",
      "a point on a ray is on both sides of it (left)"),
     (LATTICE, "u + axis.margin + 1.0", "u + 1.0", "a point on a ray is on both sides of it (right)"),
@@ -254,7 +253,7 @@ MUTATIONS = [
     (SHARP, "result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(point)",
      "result.copiedPoints.begin() + firstCopy[point + 1], static_cast<std::int64_t>(0)",
      "copies are of their points"),
-    # The normals of corners.
+    # Corner normals.
     (CREASES, "!(along > 0.0 && ", "!(", "faces that look away are steep"),
     (CREASES, "along * along >= squaredCosine * square", "along * along > 1.01 * squaredCosine * square",
      "half the feature angle is not steep"),

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Breaks each formula once and sees that a test fails.
+"""Breaks each formula once and checks that a test fails.
 
     python3 Testing/Mutation/run.py [--build FOLDER] [--jobs N] [PART OF A FILE'S NAME OR REASON]...
 
-Works on a copy of the sources, in FOLDER (build/mutation). Each of mutations.py is put in, what it
-touches is compiled, and the tests of that area run until one fails. Those that no test notices are
-listed at the end: they want a test, or a reason why nobody can see them.
+Works on a copy of the sources, in FOLDER (build/mutation). Each mutation is applied, the affected files
+are compiled, and the tests of that area run until one fails. Mutations that no test detects are listed at
+the end: each needs a test, or a reason why it cannot be observed.
 """
 
 import argparse
@@ -19,14 +19,14 @@ from mutations import MUTATIONS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# What tests a file, by the beginning of its path. The first that fits.
+# The tests for a file, by the beginning of its path; the first match counts.
 TESTS = (("Rendering/Core/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Filters/Base/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Rendering/", ("TestLambentRendering",)),
          ("Filters/Core/TriangleNormals", ("TestLambentRendering",)),
          ("Filters/", ("TestLambentFilters",)))
 
-# What takes long comes last; what looks at progress or at memory, not at formulas, not at all.
+# Slow tests run last. Tests of progress or memory do not check formulas, so they do not run.
 LONG = "BruteForce.*:Properties.*"
 NEVER = "Memory.*:Progress.*"
 FILTERS = (f"-{LONG}:{NEVER}", f"{LONG}-{NEVER}")
@@ -52,14 +52,14 @@ class Mutant:
         for old in self.source.rglob("*"):
             if old.is_file() and str(old.relative_to(self.source)) not in kept:
                 old.unlink()
-        # Kernels for one instruction set: most of the time would go into building them.
+        # Kernels for one instruction set only; otherwise compiling them would take most of the time.
         self.run("cmake", "-S", self.source, "-B", self.binaries, "-G", "Ninja",
                  "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -march=native",
                  "-DCMAKE_CXX_FLAGS=-DHWY_COMPILE_ONLY_STATIC", "-DLAMBENT_WRAP_PYTHON=OFF",
                  "-DLAMBENT_BUILD_EXAMPLES=OFF", check=True)
 
     def write(self, path, content):
-        """Only what differs, so that nothing is compiled for no reason."""
+        """Writes the file only if it differs, so that nothing is compiled needlessly."""
         target = self.source / path
         if not target.exists() or target.read_bytes() != content:
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -70,8 +70,8 @@ class Mutant:
                               stderr=subprocess.STDOUT, text=True, **keywords)
 
     def first_failure(self, tests):
-        """Where a test fails first, or None. Programs are built one by one: often the first one
-        tells."""
+        """Where a test fails first, or None. Programs are built one by one, since often the first one
+        detects the mutation."""
         for test in tests:
             done = self.run("cmake", "--build", self.binaries, "--parallel", self.jobs,
                             "--target", test)
@@ -97,7 +97,7 @@ class Mutant:
         return places[0] if places else f"{test} ends with {done.returncode}"
 
     def outcome(self, path, old, new):
-        """What becomes of one mutation: (whether it survives, a word on it)."""
+        """The result of one mutation: (whether it survives, a description)."""
         text = (ROOT / path).read_text()
         if text.count(old) != 1:
             return True, f"is there {text.count(old)} times: correct mutations.py"

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""lambent.testing: arrays of all makes, images of Pillow (skipped without it), and settings that are
-no settings."""
+"""lambent.testing: arrays of all types and layouts, Pillow images (skipped without Pillow), and invalid
+settings."""
 
 import os
 import re
@@ -74,7 +74,7 @@ class Arrays(PictureTest):
     def test_what_is_no_picture_is_told(self):
         for kind in ("f2", ">f4", "f8", "i1", "i2", "i4", "u4", "u8", "bool", "c8", "O", "S1", "M8[s]"):
             array = np.zeros((2, 2, 3)).astype(kind)
-            self.refuse(array, TypeError, "values are %s; a picture's are uint8" % array.dtype)
+            self.refuse(array, TypeError, "values are %s; they must be uint8" % array.dtype)
         self.refuse(np.zeros((2, 2), [("r", "u1"), ("g", "u1")]), TypeError, "('r', 'u1')")
         self.refuse(np.ma.masked_equal(np.eye(2, dtype=np.uint8), 0), ValueError, "masked; fill them")
         self.refuse(np.uint8(3), ValueError, "shape is ()")
@@ -82,7 +82,7 @@ class Arrays(PictureTest):
 
 
 def memoryview_of(array):
-    """An object that gives its array when it is asked."""
+    """An object that returns its array on request."""
     class Giving:
         __array_interface__ = array.__array_interface__
         kept = array
@@ -155,7 +155,7 @@ class Settings(PictureTest):
 
     def test_a_metric_is_a_name(self):
         for metric in ([], {}, None, 1, ["max"], np.zeros(2), b"max", "MAX"):
-            words = re.escape("the metric is %r; it can be 'max', 'rmse', 'ssim'" % (metric,))
+            words = re.escape("the metric is %r; it must be one of 'max', 'rmse', 'ssim'" % (metric,))
             with self.assertRaisesRegex(ValueError, words):
                 assert_images_equal(self.IMAGE, self.IMAGE, metric=metric)
             with self.assertRaisesRegex(ValueError, words):
@@ -163,7 +163,7 @@ class Settings(PictureTest):
 
     def test_a_tolerance_is_a_number(self):
         for tolerance in ([], None, 1j, 10 ** 400, -1, float("nan"), np.zeros(2)):
-            with self.assertRaisesRegex(ValueError, "the tolerance is .*; it is a number, 0 or larger"):
+            with self.assertRaisesRegex(ValueError, "the tolerance is .*; it must be a number, 0 or larger"):
                 assert_images_equal(self.IMAGE, self.IMAGE, tolerance=tolerance)
         for tolerance in (1, np.float32(1), np.int64(1), Fraction(1), True):
             assert_images_equal(self.IMAGE, self.IMAGE + np.uint8(1), tolerance=tolerance)
@@ -173,7 +173,7 @@ class Baselines(PictureTest):
     def test_a_baseline_is_not_compared_with_itself(self):
         folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "baselines")
         self.assertFalse(os.path.exists(folder))
-        missing = os.path.join(folder, "none.png")  # nor made of itself
+        missing = os.path.join(folder, "none.png")  # nor created from itself
         link = os.path.join(self.folder, "link.png")
         os.symlink(missing, link)
         for path in (missing, os.path.relpath(missing), link, os.fsencode(link)):
@@ -187,7 +187,7 @@ class Baselines(PictureTest):
         path = os.path.join(self.folder, "cut.png")
         with open(path, "wb") as file:
             file.write(png_of(as_image(Settings.IMAGE))[:-5])
-        with self.assertRaisesRegex(ValueError, "damaged or cut short: the file is cut short"):
+        with self.assertRaisesRegex(ValueError, "'%s' cannot be read: it is not a complete PNG file" % path):
             assert_images_equal(path, path)
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package imports beside vtkmodules, and its classes are VTK's own kind. All of its parts are
-there, and pytest can find the plugin."""
+"""The package can be imported beside vtkmodules, and its classes are VTK classes. All of its parts exist, and
+pytest can find the plugin."""
 
 import importlib.metadata
 import importlib.util

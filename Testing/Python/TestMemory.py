@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A thousand pictures of arrays as arrays leave nothing behind in Python: no memory, and no mesh,
-image or filter that something still holds."""
+"""A thousand pictures, read as arrays, leak nothing in Python: no memory, and no mesh, image or filter that
+something still references."""
 
 import gc
 import os
@@ -19,13 +19,13 @@ KILOBYTE = 1024
 
 
 def resident_memory():
-    """Bytes in use."""
+    """The memory in use, in bytes."""
     with open("/proc/self/statm") as pages:
         return int(pages.read().split()[1]) * os.sysconf("SC_PAGESIZE")
 
 
 def wavy_sheet(k):
-    """A mesh of n x n points, which lie in an array of numpy's; bad for one k of ten."""
+    """A mesh of n x n points from a NumPy array; bad for one k out of ten."""
     n = 12 + k % 9
     y, x = np.mgrid[0:n, 0:n].reshape(2, -1) * (2.0 / (n - 1)) - 1.0
     points = np.stack([x, y, 0.2 * np.sin(4.0 * x + 0.1 * k)], axis=1)
@@ -37,7 +37,7 @@ def wavy_sheet(k):
     mesh = vtkPolyData()
     mesh.SetPoints(vtkPoints())
     mesh.GetPoints().SetData(numpy_to_vtk(points))
-    cells = vtkCellArray()  # which takes over the memory, but not numpy's hold of it
+    cells = vtkCellArray()  # it uses the memory, but holds no reference to NumPy's array
     cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, triangles.size + 1, 3), deep=1),
                   numpy_to_vtkIdTypeArray(triangles.ravel(), deep=1))
     mesh.SetPolys(cells)
@@ -46,7 +46,7 @@ def wavy_sheet(k):
 
 class Memory(unittest.TestCase):
     def draw(self, k, tracer):
-        """One picture, as an array, or None with an error."""
+        """One picture as an array, or None after an error."""
         errors = []
         stages = [tracer, tracer.GetExecutive()]
         mesh = wavy_sheet(k)
@@ -77,7 +77,7 @@ class Memory(unittest.TestCase):
         return vtk_to_numpy(scalars).reshape(height, width, 3)[::-1].copy()
 
     def expect_flat_memory(self, step):
-        """A few kilobytes lost by each of a thousand steps would show."""
+        """A leak of a few kilobytes in each of a thousand steps would show."""
         for k in range(300):
             step(k)
         gc.collect()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkLambentPNGReader gives what vtkPNGReader gives, for PNG files of all kinds."""
+"""vtkLambentPNGReader gives the same result as vtkPNGReader, for PNG files of all kinds."""
 
 import os
 import random
@@ -27,7 +27,7 @@ def chunk(kind, data):
 
 
 def packed(values, depth):
-    """A row of samples, of so many bits each, behind the byte of the filter: none."""
+    """A row of samples with this number of bits each, after the byte for no filter."""
     bits = "".join(format(value, "0%db" % depth) for value in values)
     bits += "0" * (-len(bits) % 8)
     return b"\0" + bytes(int(bits[k:k + 8], 2) for k in range(0, len(bits), 8))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""lambent.testing without pytest: what is a picture, what is equal, what is said if not; and
-unittest with baselines."""
+"""lambent.testing without pytest: what counts as a picture, what is equal, the messages if not, and unittest
+with baselines."""
 
 import os
 import re
@@ -27,7 +27,7 @@ WIDTH, HEIGHT = 3, 2
 
 
 def image(change=0, kind=VTK_UNSIGNED_CHAR, components=3):
-    """A picture whose values are 0, 10, 20 ...; green is changed in the middle of the top row."""
+    """A picture with the values 0, 10, 20 ...; green is changed in the middle of the top row."""
     picture = vtkImageData()
     picture.SetDimensions(WIDTH, HEIGHT, 1)
     picture.AllocateScalars(kind, components)
@@ -38,7 +38,7 @@ def image(change=0, kind=VTK_UNSIGNED_CHAR, components=3):
 
 
 def array(change=0):
-    """The same as an array, in which the top row is the first."""
+    """The same as an array, whose first row is the top one."""
     values = 10 * np.arange(WIDTH * HEIGHT * 3).reshape(HEIGHT, WIDTH, 3)[::-1]
     values[0, 1, 1] += change
     return values.astype(np.uint8)
@@ -137,14 +137,14 @@ class Equality(unittest.TestCase):
         assert_images_equal(image(kind=VTK_FLOAT), image(kind=VTK_FLOAT))
         message = self.message(image(0.25, VTK_FLOAT), image(kind=VTK_FLOAT))
         self.assertIn("by at most 0.25", message)
-        self.assertNotIn("picture:", message)  # no PNG holds it
+        self.assertNotIn("picture:", message)  # a PNG cannot hold it
         self.assertIn("difference:", message)
 
     def test_a_filter_may_release_its_picture_when_the_next_has_taken_it(self):
         reader = vtkPNGReader()
         reader.SetFileName(self.png(image()))
         reader.ReleaseDataFlagOn()
-        same = vtkImageFlip()  # along z, of one slice
+        same = vtkImageFlip()  # along z, which has one slice
         same.SetFilteredAxis(2)
         same.SetInputConnection(reader.GetOutputPort())
         assert_images_equal(reader, same)
@@ -159,8 +159,8 @@ class Equality(unittest.TestCase):
 
     def test_bad_settings_are_errors(self):
         for options, error, text in (
-                ({"metric": "rsme"}, ValueError, "'rsme'; it can be 'max', 'rmse', 'ssim'"),
-                ({"tolerance": -1}, ValueError, "-1; it is a number, 0 or larger"),
+                ({"metric": "rsme"}, ValueError, "'rsme'; it must be one of 'max', 'rmse', 'ssim'"),
+                ({"tolerance": -1}, ValueError, "-1; it must be a number, 0 or larger"),
                 ({"tolerance": float("nan")}, ValueError, "nan"),
                 ({"tolerance": float("inf")}, ValueError, "inf"),
                 ({"tolerance": "1"}, ValueError, "'1'")):
@@ -204,7 +204,7 @@ class Equality(unittest.TestCase):
         middle = content.index(b"IDAT") + 8
         damaged.append(content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1:])
         for content in damaged:
-            with self.assertRaisesRegex(ValueError, "damaged or cut short"):
+            with self.assertRaisesRegex(ValueError, "not a complete PNG file|the file is damaged: a check sum is wrong"):
                 assert_images_equal(self.path("damaged.png", content), image())
 
     def test_errors_of_a_filter_are_errors_of_the_test(self):
@@ -277,7 +277,7 @@ class Baselines(SuiteTest):
             """)
         outcome = self.run_unittest(LAMBENT_UPDATE_BASELINES="1")
         self.assertEqual(outcome.status, 1)
-        self.assertIn("has accepted another picture of this name; give each its own", outcome.text)
+        self.assertIn("has accepted another picture under this name; give each its own name", outcome.text)
 
     def test_only_one_accepts(self):
         self.write_tests(self.TESTS)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example of a pipeline draws what it says: a hyperboloid of one sheet before a gradient.
+"""The example of a pipeline renders what it says: a hyperboloid of one sheet in front of a gradient.
 
     TestPipeline.py SCRIPT
 """
@@ -39,7 +39,7 @@ for y in (0, 90, 180, 270, 359):
     expected = [255 * ((1 - t) * b + t * b2) for b, b2 in zip((0.1, 0.1, 0.15), (0.4, 0.5, 0.6))]
     assert near(pixel(0, y), expected), (y, pixel(0, y), expected)
 
-# In the middle the ray from (2, 2, 4) to the origin meets x^2 - y^2 + z^2 = 1/4 at s (2, 2, 4) with
+# In the middle, the ray from (2, 2, 4) to the origin hits x^2 - y^2 + z^2 = 1/4 at s (2, 2, 4) with
 # 16 s^2 = 1/4. The normal there is along (2, -2, 4), so s.m = (4 - 4 + 16) / 24.
 cosine = 16 / 24
 expected = [255 * c * (0.9 * cosine + 0.1) for c in (0.4, 0.8, 0.7)]

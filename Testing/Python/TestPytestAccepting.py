@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Accepting pictures: only those of tests that pass. Needs pytest."""
+"""Accepting pictures: only those of passed tests. Needs pytest."""
 
 import os
 import unittest
@@ -11,7 +11,7 @@ require_pytest()
 
 
 class Accepting(PytestSuiteTest):
-    """The baseline is a box of length 1; then a box of length 2 is drawn."""
+    """The baseline is a box of length 1; then the test renders a box of length 2."""
 
     def setUp(self):
         super().setUp()
@@ -128,7 +128,7 @@ class Accepting(PytestSuiteTest):
                 image.GetPointData().GetScalars().Fill(9)
                 assert_matches_baseline(image, "box")
             """, status=1)
-        self.assertIn("has accepted another picture of this name", text)
+        self.assertIn("has accepted another picture under this name", text)
 
     def test_what_passes_beside_it_is_accepted(self):
         text = self.update("""
@@ -209,7 +209,7 @@ class Reports(PytestSuiteTest):
             with open(path, "rb") as file:
                 before = file.read()
             run = self.run_pytest("--lambent-report", name, status=1)
-            self.assertIn("could not write the report: '%s' is there, and is no report" % path, run.text)
+            self.assertIn("could not write the report: '%s' exists and is not a report" % path, run.text)
             with open(path, "rb") as file:
                 self.assertEqual(file.read(), before)
         for _ in range(2):

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The example of pictures as tests passes with the baselines beside it, and a change of what it
-draws makes the right tests fail. Needs pytest."""
+"""The example of image tests passes with its baselines, and a change of its pictures makes the right tests
+fail. Needs pytest."""
 
 import os
 import shutil

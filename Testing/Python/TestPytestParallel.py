@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin's report, and runs in parallel: the workers of pytest-xdist accept, fail and report as
-one. Needs pytest; without pytest-xdist its tests are skipped."""
+"""The plugin's report, and parallel runs: together, the workers of pytest-xdist accept, fail and report like
+a single process. Needs pytest; without pytest-xdist its tests are skipped."""
 
 import importlib.util
 import os
@@ -90,7 +90,7 @@ class Parallel(PytestSuiteTest):
         self.assertEqual(len(self.baselines("../all")), 8)
 
     def test_two_pictures_of_one_name_fail_the_run(self):
-        # Each waits until the other's worker runs it, too.
+        # Each waits until the other's worker also runs.
         self.write_tests("""
             import os, time
             @pytest.mark.parametrize("length", [1, 2])
@@ -107,7 +107,7 @@ class Parallel(PytestSuiteTest):
         self.assertIn("2 passed", run.text)
         self.assertIn("draw different pictures for %s/baselines/box.png; give each its own name"
                       % self.suite, run.text)
-        self.assertEqual(self.baselines(), ["box.png"])  # a whole one, and no rest of a file
+        self.assertEqual(self.baselines(), ["box.png"])  # a complete one, and no temporary file
 
     def test_a_worker_may_die(self):
         self.write_tests(BOX, """

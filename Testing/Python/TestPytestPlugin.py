@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin for pytest, by running small suites: which baselines a test has, what it says when a
-picture is not right, how a new one is accepted. Needs pytest."""
+"""The pytest plugin, tested by running small suites: the baselines of a test, its messages about wrong
+pictures, and accepting new ones. Needs pytest."""
 
 import os
 import re
@@ -63,15 +63,15 @@ class Verdicts(PytestSuiteTest):
         self.assertRegex(run.text,
                          r"AssertionError: box: \d+ of 2400 pixels differ, by at most \d+ of 255")
         baseline = os.path.join(self.suite, "baselines", "box.png")
-        self.assertEqual(run.paths("baseline"), [baseline] * 2)  # with the failure, and below
+        self.assertEqual(run.paths("baseline"), [baseline] * 2)  # in the failure and in the summary
         summary = run.text[run.text.index("= pictures that differ ="):]
         self.assertIn("test_box.py::test_box\n", summary)
-        self.assertIn("Those that are right: %s them.\n" % ACCEPT, summary)
+        self.assertIn("If these pictures are right, %s them.\n" % ACCEPT, summary)
         for role in ("picture", "difference"):
             path, = set(run.paths(role))
             self.assertIn("/lambent-failures/test_box.py.test_box/box.%s.png" % role, path)
             self.assertTrue(os.path.isfile(path))
-        self.assertIn("def test_box()", run.text)  # the test is shown, not what it calls
+        self.assertIn("def test_box()", run.text)  # shows the test, not the functions that it calls
         self.assertNotIn("_conclude", run.text)
 
         run = self.run_pytest("--lambent-update", LENGTH="1.5")
@@ -124,7 +124,7 @@ class Verdicts(PytestSuiteTest):
             """)
         run = self.run_pytest("--lambent-update", status=1)
         self.assertIn("1 failed, 1 passed", run.text)
-        self.assertIn("has accepted another picture of this name; give each its own", run.text)
+        self.assertIn("has accepted another picture under this name; give each its own name", run.text)
 
     def test_failures_that_a_test_expects_are_not_shown(self):
         self.write_tests("""
@@ -224,7 +224,7 @@ class Names(PytestSuiteTest):
         self.run_pytest("--lambent-update", "--lambent-baselines", "all")
         self.assertEqual(self.baselines("all"), expected)
 
-        # That of the ini-file is beside it; the option comes first.
+        # The ini-file's folder is relative to it; the option takes precedence.
         self.write("one/pytest.ini", "[pytest]\nlambent_baselines = of_ini\n")
         self.run_pytest("--lambent-update", "one")
         self.assertEqual(self.baselines("one/of_ini"), ["test_one/test_box.png"])

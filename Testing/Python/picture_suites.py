@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""For the tests of lambent.testing: a folder with a small suite that draws boxes, and what running
-it brings."""
+"""For the tests of lambent.testing: a folder with a small suite that renders boxes, and the outcome of
+running it."""
 
 import importlib.util
 import os
@@ -42,12 +42,12 @@ BOX = """
     """
 
 
-# Variables of build servers and terminals for which pytest writes more, or in other lines.
+# Variables of build servers and terminals that make pytest write more, or format it differently.
 TALKATIVE = ("CI", "BUILD_NUMBER", "COLUMNS", "LINES", "PY_COLORS", "FORCE_COLOR", "NO_COLOR")
 
 
 class Outcome:
-    """What a run has written, without colours, and how it ended."""
+    """The output of a run, without colours, and its exit status."""
 
     def __init__(self, process):
         text = process.stdout.decode() + process.stderr.decode()
@@ -55,12 +55,12 @@ class Outcome:
         self.status = process.returncode
 
     def paths(self, role):
-        """The files that are named as pictures, baselines or differences, in order."""
+        """The files that the output names as pictures, baselines or differences, in order."""
         return re.findall(r"^(?:E  )? +%s: +(.*)$" % role, self.text, re.MULTILINE)
 
 
 class SuiteTest(unittest.TestCase):
-    """A test with a folder of its own, in which suites are written and run."""
+    """A test with a separate folder, in which it writes and runs suites."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -99,7 +99,7 @@ class SuiteTest(unittest.TestCase):
 
 
 class PytestSuiteTest(SuiteTest):
-    """One whose suites are for pytest."""
+    """A test whose suites are for pytest."""
 
     def write_tests(self, *texts, **options):
         return super().write_tests("import pytest", *texts, **options)
@@ -113,7 +113,7 @@ class PytestSuiteTest(SuiteTest):
 
 
 def require_pytest():
-    """Leave with the status that CTest shows as a skipped test, unless there is pytest."""
+    """Without pytest, exit with the status that CTest shows as a skipped test."""
     if importlib.util.find_spec("pytest") is None:
         print("skipped: there is no pytest for %s" % sys.executable)
         sys.exit(77)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with an input is told by its number, the array or the cell, and the
-// remedy; the output is then empty, and the next good picture right.
+// An error in an input names the input's number, the array or the cell, and the remedy. The output
+// is then empty, and the next good picture is right.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -15,7 +15,7 @@ namespace
 const double notANumber = std::numeric_limits<double>::quiet_NaN();
 const double infinite = std::numeric_limits<double>::infinity();
 
-/// A good input 0 and a bad input 1; what must be said about it.
+/// Renders a good input 0 and a bad input 1, and expects the parts in the error.
 void expectError(
   vtkPolyData* bad, const std::vector<std::string>& parts, int interpolation = VTK_PHONG)
 {
@@ -41,7 +41,7 @@ void expectError(
 }
 }
 
-TEST(BadInput, CellsThatNamePointsThatDoNotExist)
+TEST(BadInput, CellsWithMissingPoints)
 {
   for (vtkIdType wrong : { vtkIdType(4), vtkIdType(-1), vtkIdType(1) << 32, VTK_ID_MAX })
   {
@@ -50,7 +50,7 @@ TEST(BadInput, CellsThatNamePointsThatDoNotExist)
       const std::string point = "names point " + std::to_string(wrong);
       const std::vector<std::string> parts{ "cell 4 ", point, "4 points", "0 to 3",
         "Correct the connectivity" };
-      // The third polygon, behind a vertex and a line: as triangle, quad and strip.
+      // The third polygon, after a vertex and a line, as a triangle, a quad and a strip.
       Mesh mesh = makeSquare();
       mesh->SetVerts(makeCells({ { 0 } }));
       mesh->SetLines(makeCells({ { 0, 1 } }));
@@ -65,8 +65,8 @@ TEST(BadInput, CellsThatNamePointsThatDoNotExist)
   }
 }
 
-// They are not drawn, so nothing is read of them.
-TEST(BadInput, VerticesAndLinesThatNamePointsThatDoNotExist)
+// They are not drawn, so they are not read.
+TEST(BadInput, VerticesAndLinesWithMissingPoints)
 {
   Mesh mesh = makeSquare();
   mesh->SetVerts(makeCells({ { 9 } }));
@@ -91,7 +91,7 @@ TEST(BadInput, CellsWithoutAnyPoints)
   expectError(mesh, { "cell 0 ", "names point 0", "no points" });
 }
 
-// vtkPoints refuses an array of two components, but not that the array changes.
+// vtkPoints rejects an array of two components, but does not notice if its array changes later.
 TEST(BadInput, PointsOfTwoComponents)
 {
   Mesh mesh = makeSquare();
@@ -110,7 +110,7 @@ TEST(BadInput, PointNormals)
   setPointNormals(mesh, std::vector<Vec>(5, { 0.0, 0.0, 1.0 }));
   expectError(mesh, { "point normals", "\"PointNormals\"", "5 tuples of 3", "4 points" });
 
-  // vtkDataSetAttributes refuses normals of two components, but not that they change.
+  // vtkDataSetAttributes rejects normals of two components, but does not notice a later change.
   setPointNormals(mesh, std::vector<Vec>(4, { 0.0, 0.0, 1.0 }));
   mesh->GetPointData()->GetNormals()->SetName(nullptr);
   mesh->GetPointData()->GetNormals()->SetNumberOfComponents(2);
@@ -128,8 +128,8 @@ TEST(BadInput, CellNormals)
     VTK_FLAT);
 }
 
-// Normals that no pixel would look at do no harm.
-TEST(BadInput, NormalsThatAreNotUsedAreNotLookedAt)
+// Bad normals are harmless if no pixel needs them.
+TEST(BadInput, UnusedNormalsAreNotChecked)
 {
   Mesh mesh = makeSquare();
   setPointNormals(mesh, std::vector<Vec>(3, { 0.0, 0.0, 1.0 }));
@@ -191,7 +191,7 @@ TEST(BadInput, NonFiniteCoordinatesAreSkippedWithOneWarning)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Two vertices; then cells that use the bad point 4, and others that do not.
+      // Two vertices; then cells with the bad point 4, and cells without it.
       std::vector<Vec> points = pointsOf(makeSquare());
       points.emplace_back(0.0, 0.0, 1.0);
       points.back()[axis] = bad;
@@ -202,7 +202,7 @@ TEST(BadInput, NonFiniteCoordinatesAreSkippedWithOneWarning)
       Messages messages(studio.tracer);
       studio.tracer->AddInputDataObject(makeMesh({}, {}));
       studio.tracer->AddInputDataObject(mesh);
-      EXPECT_EQ(render(studio.tracer).count(Vec(1.0)), 32 * 24); // the rest is drawn
+      EXPECT_EQ(render(studio.tracer).count(Vec(1.0)), 32 * 24); // the other cells are drawn
       expectMessage(messages.warnings(),
         { "3 cells have a point that is not finite", "the first is cell 3 of input 1", "Remove" });
       EXPECT_TRUE(messages.errors().empty());
@@ -222,13 +222,13 @@ TEST(BadInput, ASingleNonFiniteCell)
   Studio studio;
   const Messages messages(studio.tracer);
   studio.tracer->SetInputData(makeMesh(points, { { 0, 1, 3 }, { 0, 1, 2 } }));
-  studio.tracer->SetCamera(nullptr); // bounds without it
+  studio.tracer->SetCamera(nullptr); // the default view ignores the bad point
   EXPECT_GT(render(studio.tracer).count(Vec(1.0)), 100);
   expectMessage(messages.warnings(),
     { "1 cell has a point that is not finite", "the first is cell 1 of input 0" });
 }
 
-// A point that is not finite and that no cell uses is nobody's business.
+// A point that is not finite is harmless if no cell uses it.
 TEST(BadInput, UnusedNonFinitePoint)
 {
   std::vector<Vec> points = pointsOf(makeSquare());
@@ -266,7 +266,7 @@ TEST(BadInput, LightExactlyOnTheSurface)
     light->SetConeAngle(cone);
     light->SetAttenuationValues(1.0, 0.5, 0.25);
     studio.tracer->AddLight(light);
-    const Picture picture = render(studio.tracer); // the central ray meets the light
+    const Picture picture = render(studio.tracer); // the central ray hits the light's position
     EXPECT_EQ(picture.at(4, 4), Vec(0.125, 0.25, 0.0625));
     for (int k = 0; k < 81; ++k)
     {
@@ -275,19 +275,19 @@ TEST(BadInput, LightExactlyOnTheSurface)
   }
 }
 
-TEST(BadInput, NothingToSeeIsTheBackground)
+TEST(BadInput, EmptyScenesShowTheBackground)
 {
   Studio studio;
   Messages messages(studio.tracer);
   studio.tracer->SetCamera(nullptr);
   studio.tracer->AddInputDataObject(Mesh::New());
   studio.tracer->AddInputDataObject(makeMesh({}, {}));
-  studio.tracer->AddInputDataObject(makeMesh({ Vec(0.0), Vec(1.0) }, {})); // points alone
+  studio.tracer->AddInputDataObject(makeMesh({ Vec(0.0), Vec(1.0) }, {})); // points without cells
   EXPECT_EQ(render(studio.tracer).count(Studio::background()), 32 * 24);
   EXPECT_TRUE(messages.warnings().empty() && messages.errors().empty());
 }
 
-// A producer without data, or with data of another kind: VTK's own error.
+// A producer without data, or with data of another type, causes VTK's own error.
 TEST(BadInput, ConnectionsWithoutAMesh)
 {
   for (int kind : { 0, 1 })

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A setting that no picture can be made with is told by its name and the remedy; the
-// output is then empty, and the next good picture right.
+// An unusable setting causes an error with its name and the remedy. The output is then empty, and
+// the next good picture is right.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -18,7 +18,8 @@ const double infinite = std::numeric_limits<double>::infinity();
 
 using Change = std::function<void(Studio&)>;
 
-/// A good picture; a change that spoils it; and back.
+/// Renders a good picture. `spoil` makes a setting bad and `mend` restores it: there must be an
+/// error with these parts, then the same picture again.
 void expectError(const Change& spoil, const std::vector<std::string>& parts, const Change& mend)
 {
   SCOPED_TRACE(parts.front());
@@ -63,7 +64,7 @@ TEST(BadSettings, Supersampling)
   }
 }
 
-TEST(BadSettings, SamplesBeyondNumbers)
+TEST(BadSettings, TooManySamplesForAnInteger)
 {
   const auto spoil = [](Studio& s)
   {
@@ -79,7 +80,7 @@ TEST(BadSettings, SamplesBeyondNumbers)
     });
 }
 
-TEST(BadSettings, ImageBeyondMemory)
+TEST(BadSettings, ImageTooLargeForTheMemory)
 {
   const int sizes[][2] = { { 1000000, 1000000 }, { VTK_INT_MAX, VTK_INT_MAX },
     { VTK_INT_MAX, 100000 } };
@@ -92,8 +93,8 @@ TEST(BadSettings, ImageBeyondMemory)
   }
 }
 
-// Of an image beyond memory a part can be made all the same.
-TEST(BadSettings, PartOfAnImageBeyondMemory)
+// A part of an image too large for the memory can still be rendered.
+TEST(BadSettings, PartOfAnImageTooLargeForTheMemory)
 {
   Studio studio(1000000, 1000000);
   const Messages messages(studio.tracer);
@@ -133,7 +134,7 @@ TEST(BadSettings, CameraThatIsNotFinite)
 
 TEST(BadSettings, ViewAngle)
 {
-  // vtkCamera clamps what SetViewAngle() is given to [1e-8, 179.9], but not a child's.
+  // vtkCamera clamps the argument of SetViewAngle() to [1e-8, 179.9], but a subclass need not.
   class Camera : public vtkCamera
   {
   public:
@@ -171,7 +172,7 @@ TEST(BadSettings, ParallelScale)
 
 TEST(BadSettings, CameraWithoutADirection)
 {
-  // vtkCamera keeps them 1e-20 apart, which is nothing unless both are at the origin.
+  // vtkCamera keeps the two points 1e-20 apart, which is lost in rounding except near the origin.
   expectError([](Studio& s) { s.camera->SetFocalPoint(0.0, 0.0, 5.0); },
     { "position and focal point coincide", "SetPosition()", "SetFocalPoint()" },
     [](Studio& s) { s.camera->SetFocalPoint(0.0, 0.0, 0.0); });
@@ -207,7 +208,7 @@ TEST(BadSettings, LightThatIsNotFinite)
   {
     auto good = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
     auto bad = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
-    good->SwitchOff(); // and counts all the same
+    good->SwitchOff(); // it keeps its number even if it is off
     change(bad);
     expectError(
       [&](Studio& s)
@@ -217,7 +218,7 @@ TEST(BadSettings, LightThatIsNotFinite)
       },
       { "Light 1 ", "not a finite number", "position", "transform matrix", "attenuation" },
       [](Studio& s) { s.tracer->RemoveAllLights(); });
-    // Switched off it does no harm.
+    // A bad light is harmless while it is off.
     bad->SwitchOff();
     Studio studio;
     const Messages messages(studio.tracer);
@@ -228,7 +229,7 @@ TEST(BadSettings, LightThatIsNotFinite)
   }
 }
 
-// The light would be divided by nothing: NaN, or brighter than any number.
+// The light would be divided by zero: NaN or infinity.
 TEST(BadSettings, LightWithoutAPositiveAttenuation)
 {
   for (const Vec& values : { Vec(0.0), Vec(0.0, -1.0, 0.0), Vec(-1.0, -0.5, -2.0) })
@@ -245,7 +246,7 @@ TEST(BadSettings, LightWithoutAPositiveAttenuation)
       { "Light 1 ", "no positive attenuation value", "SetAttenuationValues(1, 0, 0)" },
       [](Studio& s) { s.tracer->RemoveAllLights(); });
   }
-  // It is of no matter to a light infinitely far away, nor that one of them is 0.
+  // Attenuation does not matter for an infinitely distant light, nor does a single value of 0.
   auto far = makeLight({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 });
   far->SetAttenuationValues(0.0, 0.0, 0.0);
   auto near = makeLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, 0.0 }, Vec(1.0), true);
@@ -301,8 +302,8 @@ TEST(BadSettings, BackgroundThatIsNotFinite)
     [](Studio& s) { s.tracer->GradientBackgroundOff(); });
 }
 
-// Settings of the camera that are not supported are named in one warning.
-TEST(BadSettings, UnsupportedCameraSettingsBringAWarning)
+// One warning names all camera settings that are not supported.
+TEST(BadSettings, UnsupportedCameraSettingsCauseAWarning)
 {
   vtkNew<vtkTransform> transform;
   vtkNew<vtkMatrix4x4> matrix;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Smooth surfaces without normals: edges that stay sharp, sheets whose faces are there twice,
-// faces that run the wrong way round.
+// Smooth surfaces without normals: edges that stay sharp, sheets that contain each face twice, and
+// faces of opposite orientation.
 #include "Meshes.h"
 
 #include "vtkLambentNormals.h"
 
 namespace
 {
-/// Looks at things of about size 1 from the front, right, above.
+/// Looks at objects of about size 1 from the front, right and above.
 struct Solid : Studio
 {
   explicit Solid(vtkPolyData* mesh)
@@ -42,8 +42,8 @@ Mesh makeCan(int n)
   return can;
 }
 
-/// A wavy sheet of n x n quads over |x|, |y| <= 1, each of them as many times as told, once this
-/// way round, then that way.
+/// A wavy sheet of n x n quads over |x|, |y| <= 1. Each quad occurs `times` times, in alternating
+/// orientations.
 Mesh makeWave(int n, int times)
 {
   std::vector<Vec> points;
@@ -71,7 +71,7 @@ Mesh makeWave(int n, int times)
   return makeMesh(points, quads);
 }
 
-/// The largest difference between two pictures in bytes.
+/// The largest difference between two pictures, in bytes.
 double difference(const Picture& a, const Picture& b)
 {
   double largest = 0.0;
@@ -95,8 +95,9 @@ TEST(ComputedNormals, ABoxIsFlat)
   EXPECT_SAME_BITS(smooth, solid.bytes());
 }
 
-// The filter makes a copy of the point for each side of an edge; the pictures are the same bits.
-TEST(ComputedNormals, AreThoseOfTheFilterThatSplits)
+// The filter copies points for each side of an edge; the ray tracer does not. The bits are the
+// same.
+TEST(ComputedNormals, EqualTheSplittingFilters)
 {
   for (Mesh mesh :
     { makeBox(0.9, 0.7, 0.8), makeCan(9), makeCan(20), makeSphere(5), makeWave(9, 1) })
@@ -127,7 +128,7 @@ TEST(ComputedNormals, AStripHasTheEdgesOfItsTriangles)
   {
     points.insert(points.end(), { 2 * (k % 7), 2 * (k % 7) + 1 });
   }
-  std::reverse(points.begin(), points.end()); // else its inside is its front
+  std::reverse(points.begin(), points.end()); // otherwise its front would be inside
   vtkNew<vtkCellArray> caps;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cap : { 7, 8 })
@@ -160,8 +161,9 @@ TEST(ComputedNormals, AreSmoothEverywhereAt180Degrees)
   EXPECT_NE(sharp.bits(), smooth.bits());
 }
 
-// A sheet that is there once, or thrice, or once each way round, looks the same from both sides.
-TEST(ComputedNormals, ADoubledSheetLooksLikeOne)
+// A sheet that contains each face twice, once in each orientation, looks like a single sheet from
+// both sides.
+TEST(ComputedNormals, ADoubledSheetLooksLikeASingleOne)
 {
   for (const double angle : { 30.0, 180.0 })
   {
@@ -177,7 +179,7 @@ TEST(ComputedNormals, ADoubledSheetLooksLikeOne)
   }
 }
 
-TEST(ComputedNormals, FacesThatRunOppositeWaysAreLitAlike)
+TEST(ComputedNormals, FacesOfOppositeOrientationAreLitAlike)
 {
   Mesh sheet = makeWave(24, 1);
   Solid solid(sheet);
@@ -185,14 +187,14 @@ TEST(ComputedNormals, FacesThatRunOppositeWaysAreLitAlike)
   Mesh mixed = makeWave(24, 2);
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType k = 0; k < 576; ++k) // rows run this way and that
+  for (vtkIdType k = 0; k < 576; ++k) // the orientation alternates from row to row
   {
     mixed->GetPolys()->GetCellAtId(k / 24 % 2 == 0 ? k : 576 + k, ids);
     cells->InsertNextCell(ids);
   }
   mixed->SetPolys(cells);
   solid.tracer->SetInputData(mixed);
-  // Between two rows the normals are those of one side each.
+  // Along the line between two rows, each row has its own normals.
   EXPECT_LE(difference(consistent, solid.bytes()), 12.0);
 }
 
@@ -213,11 +215,11 @@ TEST(ComputedNormals, AMirroredMeshWithItsOwnNormalsIsLitFromOutside)
   const Picture outside = solid.bytes();
   solid.tracer->SetInputData(reversed);
   EXPECT_LE(difference(outside, solid.bytes()), 1.0);
-  solid.tracer->TwoSidedLightingOff(); // then the normals are used as they are
+  solid.tracer->TwoSidedLightingOff(); // the normals are then used unchanged
   EXPECT_LE(difference(outside, solid.bytes()), 1.0);
 }
 
-TEST(ComputedNormals, PartsEqualThoseOfTheWhole)
+TEST(ComputedNormals, PartsEqualTheWhole)
 {
   Solid solid(makeCan(11));
   const Picture whole = render(solid.tracer);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of the image that is asked for downstream is computed alone, and equals that
-// part of the whole bit for bit.
+// If a downstream filter requests a part of the image, only that part is computed, and it equals
+// that part of the whole image bit for bit.
 #include "Meshes.h"
 
 #include "vtkExtractVOI.h"
@@ -35,7 +35,7 @@ TEST(Extents, PartsEqualTheWhole)
     const int extent[6] = { w[0], w[1], w[2], w[3], 0, 0 };
     part.tracer->UpdateExtent(extent);
     const Picture picture(part.tracer->GetOutput());
-    ASSERT_EQ(picture.width(), w[1] - w[0] + 1); // not more than was asked for
+    ASSERT_EQ(picture.width(), w[1] - w[0] + 1); // no more than was requested
     ASSERT_EQ(picture.height(), w[3] - w[2] + 1);
     for (int j = w[2]; j <= w[3]; ++j)
     {
@@ -45,7 +45,7 @@ TEST(Extents, PartsEqualTheWhole)
   }
 }
 
-TEST(Extents, ExtractVOIAsksForItsPart)
+TEST(Extents, ExtractVOIRequestsItsPart)
 {
   Studio studio(101, 67);
   setUp(studio);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A setting that has no effect is named, with what to do instead; once, and not by a scene
-// that keeps to the defaults.
+// A warning names a setting without effect, and what to do instead. It is given once, and never for
+// defaults.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -40,7 +40,7 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
 }
 }
 
-TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
+TEST(IdleSettings, CommonPropertyIsNamedOnce)
 {
   for (const auto& [parts, change] : idleProperties())
   {
@@ -59,7 +59,7 @@ TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
     EXPECT_TRUE(messages.errors().empty());
     EXPECT_SAME_BITS(expected, picture);
 
-    for (int k = 0; k < 3; ++k) // not once a picture
+    for (int k = 0; k < 3; ++k) // not once per picture
     {
       studio.camera->Azimuth(1.0);
       studio.tracer->Update();
@@ -68,7 +68,7 @@ TEST(IdleSettings, OfTheCommonPropertyAreNamedOnce)
   }
 }
 
-TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
+TEST(IdleSettings, InputPropertyIsNamedWithItsInput)
 {
   for (const auto& [parts, change] : idleProperties())
   {
@@ -84,8 +84,8 @@ TEST(IdleSettings, OfAnInputsPropertyAreNamedWithIt)
   }
 }
 
-// Scenes of thousands of inputs that share a property are told once.
-TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
+// There may be thousands of inputs that share a property; there is one warning.
+TEST(IdleSettings, SharedPropertyIsNamedOnce)
 {
   Studio studio;
   Messages messages(studio.tracer);
@@ -107,12 +107,12 @@ TEST(IdleSettings, OfASharedPropertyAreNamedOnce)
 
   messages.clear();
   studio.tracer->SetProperty(other);
-  studio.tracer->Update(); // the same one, and one message
+  studio.tracer->Update(); // the same property, so one message
   expectMessage(messages.warnings(), { "The property of all inputs: vtkProperty::SetOpacity()" });
 }
 
-// A common property that no input takes has nothing to be warned of.
-TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
+// A common property that no input uses causes no warning.
+TEST(IdleSettings, UnusedPropertyIsNotNamed)
 {
   Studio studio;
   const Messages messages(studio.tracer);
@@ -124,7 +124,7 @@ TEST(IdleSettings, OfAPropertyThatIsNotInUseAreNotNamed)
   EXPECT_TRUE(messages.warnings().empty());
 }
 
-TEST(IdleSettings, AreNamedAgainWhenTheyComeBack)
+TEST(IdleSettings, AreNamedAgainWhenTheyReturn)
 {
   Studio studio;
   Messages messages(studio.tracer);
@@ -137,15 +137,15 @@ TEST(IdleSettings, AreNamedAgainWhenTheyComeBack)
   EXPECT_EQ(messages.warnings().size(), 2u);
 }
 
-TEST(IdleSettings, DefaultsAndWhatHasAnEffectAreNotNamed)
+TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
 {
   Studio studio;
   const Messages messages(studio.tracer);
   studio.tracer->SetInputData(makeSquare());
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
-  studio.property->SetSpecularPower(30.0); // of no highlight
-  studio.property->SetLineWidth(3.0);      // of no line
+  studio.property->SetSpecularPower(30.0); // there are no highlights
+  studio.property->SetLineWidth(3.0);      // there are no lines
   studio.property->BackfaceCullingOn();
   vtkNew<vtkLight> fresh, head;
   head->SetLightTypeToHeadlight();
@@ -168,8 +168,8 @@ TEST(IdleSettings, ALightAtItsOwnFocalPointIsNamed)
     vtkNew<vtkLight> good, bad;
     bad->SetPosition(1.0, 2.0, 3.0);
     bad->SetFocalPoint(1.0, 2.0, 3.0);
-    bad->SetPositional(kind == 1); // with a cone, as lights have by default
-    good->SwitchOff();             // and counts all the same
+    bad->SetPositional(kind == 1); // with the default cone
+    good->SwitchOff();             // it keeps its number even if it is off
     studio.tracer->AddLight(good);
     studio.tracer->AddLight(bad);
     EXPECT_EQ(render(studio.tracer).at(16, 12), Vec(0.0));
@@ -177,7 +177,8 @@ TEST(IdleSettings, ALightAtItsOwnFocalPointIsNamed)
   }
 }
 
-// In all directions it shines whatever its focal point is; switched off it does not shine.
+// A light that shines in all directions needs no focal point, and a light that is off needs none
+// either.
 TEST(IdleSettings, ALightThatNeedsNoFocalPointIsNotNamed)
 {
   for (int kind = 0; kind < 3; ++kind)
@@ -222,7 +223,7 @@ const std::vector<std::pair<std::string, std::function<void(vtkLambentRayTracer*
 };
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNamedWhereAllHaveTheirOwn)
+TEST(IdleSettings, NormalSettingsAreNamedIfAllInputsHaveNormals)
 {
   for (const auto& [name, change] : normalSettings)
   {
@@ -246,7 +247,7 @@ TEST(IdleSettings, OfComputedNormalsAreNamedWhereAllHaveTheirOwn)
   }
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNamedWhereNothingIsSmooth)
+TEST(IdleSettings, NormalSettingsAreNamedIfNothingIsSmooth)
 {
   for (const auto& [name, change] : normalSettings)
   {
@@ -270,7 +271,7 @@ TEST(IdleSettings, OfComputedNormalsAreNamedWhereNothingIsSmooth)
   }
 }
 
-TEST(IdleSettings, OfComputedNormalsAreNotNamedWhereOneInputNeedsThem)
+TEST(IdleSettings, NormalSettingsAreNotNamedIfAnInputNeedsThem)
 {
   for (const auto& [name, change] : normalSettings)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which cell of which input each pixel shows, where that is known by construction. That
-// the triangle behind it is the one of brute force is tested with the core.
+// The cell and the input that each pixel shows, in scenes where they are known by construction. The
+// core's tests compare the triangles with brute force.
 #include "Meshes.h"
 
 #include "vtkCellArray.h"
@@ -48,7 +48,7 @@ Studio& lookAtUnitSquares(Studio& studio)
   return studio;
 }
 
-/// The unit squares of a row of pixels, from the first column up to, not including, the last.
+/// The unit squares of a row of pixels, for the columns [first, last).
 vtkSmartPointer<vtkPolyData> row(int first, int last, double y, double z)
 {
   std::vector<Vec> points;
@@ -112,7 +112,7 @@ TEST(Ids, TiesGoToTheSmallestInputAndCell)
   Studio studio(4, 1);
   lookAtUnitSquares(studio);
   studio.tracer->AddInputDataObject(row(2, 4, 0, 0.0));
-  const auto twice = row(0, 4, 0, 0.0); // each square a second time, as cells 4 to 7
+  const auto twice = row(0, 4, 0, 0.0); // each square twice; the second time as cells 4 to 7
   for (vtkIdType cell = 0; cell < 4; ++cell)
   {
     const vtkIdType corners[4] = { 4 * cell, 4 * cell + 1, 4 * cell + 2, 4 * cell + 3 };
@@ -148,7 +148,7 @@ TEST(Ids, CountAllCellsOfAMesh)
   EXPECT_EQ(render(studio).cells, (std::vector<vtkIdType>{ 3, 4, 5, 6, -1 }));
 }
 
-TEST(Ids, ChangeNoColour)
+TEST(Ids, DoNotChangeColours)
 {
   Studio studio(101, 67);
   studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });
@@ -158,7 +158,7 @@ TEST(Ids, ChangeNoColour)
   EXPECT_SAME_BITS(without, ::render(studio.tracer));
 }
 
-TEST(Ids, OfPartsEqualTheWhole)
+TEST(Ids, PartsEqualTheWhole)
 {
   Studio studio(101, 67);
   studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });

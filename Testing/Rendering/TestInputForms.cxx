@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same surface in every form that polydata has gives the same picture.
+// The same surface gives the same picture in every form that polydata can have.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -27,7 +27,7 @@ Picture pictureOf(vtkPolyData* mesh, int interpolation = VTK_PHONG)
   return picture;
 }
 
-/// A copy whose points and normals are of another type and layout of memory.
+/// A copy whose points and normals have another type and memory layout.
 template <typename Array>
 Mesh withArrays(vtkPolyData* mesh)
 {
@@ -51,7 +51,7 @@ Mesh withArrays(vtkPolyData* mesh)
   return copy;
 }
 
-/// An n-gon in the plane z = 0, its points at these places, counter-clockwise.
+/// An n-gon in the plane z = 0 with these points, counter-clockwise.
 Mesh makePolygon(const std::vector<Vec>& points)
 {
   std::vector<vtkIdType> ids(points.size());
@@ -64,7 +64,7 @@ Mesh makePolygon(const std::vector<Vec>& points)
 
 bool isInside(const std::vector<Vec>& polygon, double x, double y)
 {
-  bool inside = false; // after every crossing of a ray to the right
+  bool inside = false; // toggled at every edge that a ray to the right crosses
   for (std::size_t k = 0, last = polygon.size() - 1; k < polygon.size(); last = k++)
   {
     const Vec& a = polygon[last];
@@ -75,7 +75,7 @@ bool isInside(const std::vector<Vec>& polygon, double x, double y)
 }
 }
 
-// Others took one for the other: topology-tool-kit/ttk#490, valette/ACVD#53.
+// Bugs of others that confused the two: topology-tool-kit/ttk#490, valette/ACVD#53.
 TEST(InputForms, CellArraysOf32And64Bits)
 {
   for (const Mesh& mesh : { makeSphere(9), makeCylinder(11) })
@@ -88,7 +88,7 @@ TEST(InputForms, CellArraysOf32And64Bits)
   }
 }
 
-// A mesh of halves and quarters, which floats hold exactly.
+// The mesh has halves and quarters, which floats represent exactly.
 TEST(InputForms, TypesAndLayoutsOfArrays)
 {
   const Mesh box = makeBox(0.5, 0.75, 1.0);
@@ -144,7 +144,7 @@ TEST(InputForms, ConcavePolygons)
   };
   for (const std::vector<Vec>& shape : shapes)
   {
-    for (std::size_t first = 0; first < shape.size(); ++first) // from wherever it starts
+    for (std::size_t first = 0; first < shape.size(); ++first) // with any point as the first
     {
       std::vector<Vec> points(shape.begin() + static_cast<std::ptrdiff_t>(first), shape.end());
       points.insert(
@@ -153,7 +153,7 @@ TEST(InputForms, ConcavePolygons)
       studio.camera->ParallelProjectionOn();
       studio.camera->SetParallelScale(1.2);
       studio.tracer->SetInputData(makePolygon(points));
-      studio.property->BackfaceCullingOn(); // all its triangles face the same way
+      studio.property->BackfaceCullingOn(); // all its triangles have the same orientation
       const Picture picture = render(studio.tracer);
       for (int j = 0; j < 37; ++j)
       {
@@ -176,7 +176,7 @@ TEST(InputForms, Strips)
   stripper->Update();
   vtkPolyData* strips = stripper->GetOutput();
   ASSERT_GT(strips->GetNumberOfStrips(), 0);
-  // Back to triangles in the order of the strips, by VTK.
+  // VTK converts it back to triangles, in the order of the strips.
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(strips);
   triangles->Update();
@@ -184,8 +184,8 @@ TEST(InputForms, Strips)
   EXPECT_SAME_BITS(pictureOf(triangles->GetOutput(), VTK_FLAT), pictureOf(strips, VTK_FLAT));
 }
 
-// Every other triangle of a strip is written the other way round; all face the same.
-TEST(InputForms, StripsFaceTheWayOfTheirFirstTriangle)
+// Every second triangle of a strip is stored in reverse; all have the same orientation.
+TEST(InputForms, StripsHaveTheOrientationOfTheirFirstTriangle)
 {
   Mesh mesh = makeMesh({ { -2.0, -2.0, 0.0 }, { -2.0, 2.0, 0.0 }, { 0.0, -2.0, 0.0 },
                          { 0.0, 2.0, 0.0 }, { 2.0, -2.0, 0.0 }, { 2.0, 2.0, 0.0 } },
@@ -208,16 +208,16 @@ TEST(InputForms, VerticesAndLinesAreNotDrawn)
   more->SetVerts(makeCells({ { 0 }, { 1, 2, 3 } }));
   more->SetLines(makeCells({ { 0, 1 }, { 1, 50, 7 } }));
   EXPECT_SAME_BITS(expected, pictureOf(more));
-  more->SetPolys(makeCells({ { 0, 1 }, { 5 } })); // polygons of two points and of one
+  more->SetPolys(makeCells({ { 0, 1 }, { 5 } })); // polygons of two points and one point
   Studio studio;
   studio.tracer->SetInputData(more);
   EXPECT_EQ(render(studio.tracer).count(Studio::background()), 32 * 24);
 }
 
-// Cells are numbered vertices first, then lines, polygons and strips; cell normals too.
-TEST(InputForms, CellNormalsAreFoundBehindVerticesAndLines)
+// Vertices come first in the numbering of cells and cell normals, then lines, polygons and strips.
+TEST(InputForms, CellNormalsFollowVerticesAndLines)
 {
-  // A square of two triangles, or one of a triangle and a strip, left and right.
+  // On the left and on the right: a square of two triangles, or of a triangle and a strip.
   for (int strip : { 0, 1 })
   {
     Mesh mesh = makeMesh(

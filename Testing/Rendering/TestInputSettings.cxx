@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The property of an input stays with its connection, whatever becomes of the others.
+// The property of an input stays with its connection when other connections change.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -26,7 +26,7 @@ struct Four
     }
   }
 
-  /// The property of each connection by its number in `properties`, or - for none.
+  /// For each connection, the number of its property in `properties`, or - for none.
   std::string found() const
   {
     std::string text;
@@ -52,7 +52,7 @@ TEST(InputSettings, FollowWhenAConnectionIsRemovedByItsNumber)
   EXPECT_EQ(four.found(), "02----");
   four.tracer->RemoveInputConnection(0, 0);
   EXPECT_EQ(four.found(), "2-----");
-  four.tracer->RemoveInputConnection(0, 7); // none
+  four.tracer->RemoveInputConnection(0, 7); // no such connection
   EXPECT_EQ(four.found(), "2-----");
   four.tracer->AddInputConnection(four.sources[0]->GetOutputPort());
   EXPECT_EQ(four.found(), "2-----");
@@ -65,11 +65,11 @@ TEST(InputSettings, FollowWhenAConnectionIsRemovedByItsOutput)
   EXPECT_EQ(four.found(), "013---");
   four.tracer->RemoveInputConnection(0, four.sources[0]->GetOutputPort());
   EXPECT_EQ(four.found(), "13----");
-  four.tracer->RemoveInputConnection(0, four.sources[0]->GetOutputPort()); // not there any more
+  four.tracer->RemoveInputConnection(0, four.sources[0]->GetOutputPort()); // already removed
   EXPECT_EQ(four.found(), "13----");
 }
 
-// Of the same output, connected twice, the one that was named is removed.
+// If an output is connected twice, the property of the connection that was named is removed.
 TEST(InputSettings, FollowAmongConnectionsOfOneSource)
 {
   for (int removed : { 3, 4 })
@@ -83,8 +83,8 @@ TEST(InputSettings, FollowAmongConnectionsOfOneSource)
   }
 }
 
-// The next meshes take the places of the last ones.
-TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsGo)
+// The next meshes take the places of the previous ones.
+TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsAreRemoved)
 {
   Four four;
   four.tracer->RemoveAllInputs();
@@ -96,7 +96,7 @@ TEST(InputSettings, StayWithTheirNumbersWhenAllConnectionsGo)
   EXPECT_EQ(other.found(), "0123--");
 }
 
-TEST(InputSettings, StayWhenTheSameConnectionsAreMadeAnew)
+TEST(InputSettings, StayWhenTheSameConnectionsAreMadeAgain)
 {
   Four four;
   four.tracer->SetInputConnection(four.sources[0]->GetOutputPort());
@@ -120,7 +120,7 @@ TEST(InputSettings, FollowOrStayWhenAnotherConnectionReplacesAll)
   EXPECT_EQ(four.tracer->GetNumberOfInputConnections(0), 0);
 }
 
-TEST(InputSettings, CanBeMadeBeforeTheConnection)
+TEST(InputSettings, CanPrecedeTheConnection)
 {
   Four four;
   vtkNew<vtkLambentRayTracer> tracer;
@@ -134,13 +134,13 @@ TEST(InputSettings, CanBeMadeBeforeTheConnection)
   {
     EXPECT_EQ(tracer->GetInputProperty(k), four.properties[k]);
   }
-  tracer->RemoveInputConnection(0, 0); // what is set for a third one is for that still
+  tracer->RemoveInputConnection(0, 0); // the setting of the next connection moves up
   EXPECT_EQ(tracer->GetInputProperty(0), four.properties[1]);
   EXPECT_EQ(tracer->GetInputProperty(1), four.properties[2]);
   EXPECT_EQ(tracer->GetInputProperty(2), nullptr);
 }
 
-// What went with its connection is neither kept alive nor looked at.
+// A property that was removed with its connection is neither kept alive nor used.
 TEST(InputSettings, AreReleased)
 {
   Four four;
@@ -154,7 +154,7 @@ TEST(InputSettings, AreReleased)
   EXPECT_GT(four.tracer->GetMTime(), before);
 }
 
-TEST(InputSettings, DrawTheInputThatIsLeft)
+TEST(InputSettings, ApplyToTheRemainingInput)
 {
   Studio studio;
   vtkNew<vtkProperty> red, blue;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Small things far from the origin: map coordinates of 10^7 with features of 10^-3.
-// Moved by an offset that loses no bit of any coordinate, a scene gives the same bits
-// as at the origin, since all that counts is taken relative to the eye. Others were told that
-// such scenes jitter: Kitware/vtk-js#1217, OPM/ResInsight#2578, RobotLocomotion/drake#2244.
+// Small objects far from the origin: map coordinates of 10^7 with features of 10^-3. If an offset
+// loses no bit of any coordinate, the moved scene gives the same bits as at the origin, since all
+// positions are taken relative to the eye. Bugs of others with jitter in such scenes:
+// Kitware/vtk-js#1217, OPM/ResInsight#2578, RobotLocomotion/drake#2244.
 #include "Meshes.h"
 
 namespace
@@ -48,7 +48,7 @@ Picture picture(const Vec& offset, int interpolation, int parallel)
 }
 }
 
-TEST(LargeCoordinates, LoseNothing)
+TEST(LargeCoordinates, LoseNoPrecision)
 {
   const Vec far(12345678.0, -9876543.0, 10000001.0);
   for (int interpolation : { VTK_FLAT, VTK_PHONG })
@@ -65,8 +65,8 @@ TEST(LargeCoordinates, LoseNothing)
   }
 }
 
-// Everything twice as large is the same picture: no length is built in.
-TEST(LargeCoordinates, ScaleIsNoMatter)
+// A scene twice as large gives the same picture: no length is built in.
+TEST(LargeCoordinates, ScaleDoesNotMatter)
 {
   const auto pictureOf = [](double scale)
   {
@@ -90,11 +90,11 @@ TEST(LargeCoordinates, ScaleIsNoMatter)
   }
 }
 
-// Single floats, as most files have them, far away: what is seen is where the floats are.
+// Distant points in single precision, as in most files, appear where their floats are.
 TEST(LargeCoordinates, FloatPoints)
 {
   Studio studio(64, 48);
-  const Vec far(16777216.0, 0.0, 0.0); // floats are 2 apart from here on
+  const Vec far(16777216.0, 0.0, 0.0); // beyond this, floats are 2 apart
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
   for (const Vec& p :
@@ -106,7 +106,7 @@ TEST(LargeCoordinates, FloatPoints)
   mesh->SetPoints(points);
   mesh->SetPolys(makeCells({ { 0, 1, 2, 3 } }));
   studio.camera->ParallelProjectionOn();
-  studio.camera->SetParallelScale(12.0); // half a unit a pixel
+  studio.camera->SetParallelScale(12.0); // half a unit per pixel
   studio.look(far + Vec(0.0, 0.0, 5.0), far);
   studio.tracer->SetInputData(mesh);
   const Picture picture = render(studio.tracer);

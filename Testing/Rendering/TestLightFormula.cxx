@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The light model on a plane: each pixel is compared with the formula, at the point
-// where trigonometry says that its ray meets the plane.
+// The light model on a plane. Each pixel is compared with the formula at the point where its ray
+// hits the plane, by trigonometry.
 #include "Meshes.h"
 
 namespace
 {
 const Vec red(0.9, 0.2, 0.1), dim(0.05, 0.1, 0.2), white(1.0);
 
-/// Where a ray meets the plane z = 0.
+/// The point where a ray hits the plane z = 0.
 Vec meetPlane(const Ray& ray)
 {
   return ray.origin - ray.direction * (ray.origin.z / ray.direction.z);
 }
 
-/// Every pixel of a plane in a view, against the sum of what the lights give.
+/// Compares every pixel of a plane in a view with the sum over the lights.
 void expectPlane(Studio& studio, const std::vector<vtkSmartPointer<vtkLight>>& lights)
 {
   studio.tracer->SetInputData(makeSquare());
@@ -113,7 +113,7 @@ TEST(LightFormula, CoefficientsMultiplyTheColours)
   studio.property->SetDiffuse(0.4);
   studio.property->SetAmbientColor(0.25, 0.5, 1.0);
   studio.property->SetAmbient(0.3);
-  studio.property->SetSpecular(1.0); // not of this model
+  studio.property->SetSpecular(1.0); // not part of this model
   studio.property->SetOpacity(0.5);
   studio.tracer->SetInputData(makeSquare());
   studio.tracer->AddLight(makeLight({ 0.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 }));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the settings of a vtkLight mean: as vtkLight's documentation and VTK's own
-// renderer have it. A plane z = 0 of white, diffuse 1, is lit and looked at from
-// above; its pixels show the cosine times the light that arrives.
+// The meaning of vtkLight's settings, as in its documentation and VTK's own renderer. A white plane
+// z = 0 with diffuse 1 is lit and seen from above. Its pixels show the cosine times the arriving
+// light.
 #include "Meshes.h"
 
 #include "vtkLightCollection.h"
@@ -33,10 +33,10 @@ struct Plane : Studio
     return seen.origin - seen.direction * (seen.origin.z / seen.direction.z);
   }
 
-  /// What arrives from a light at s times the cosine there.
+  /// The cosine at the plane for a light in the direction s.
   static double cosine(const Vec& s) { return std::max(0.0, s.z / glm::length(s)); }
 
-  /// Every pixel is value(point), in all channels.
+  /// Expects value(point) at every pixel, in all channels.
   template <typename Function>
   void expectEverywhere(const Function& value)
   {
@@ -52,7 +52,7 @@ struct Plane : Studio
 };
 }
 
-TEST(LightKinds, NoneIsAHeadlight)
+TEST(LightKinds, WithoutLightsThereIsAHeadlight)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 });
@@ -75,7 +75,7 @@ TEST(LightKinds, AllSwitchedOffIsDark)
   plane.expectEverywhere([](const Vec&) { return 0.5 * (0.8 + 1.0) + 2.0; });
 }
 
-TEST(LightKinds, HeadlightGoesWithTheCamera)
+TEST(LightKinds, HeadlightMovesWithTheCamera)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 });
@@ -84,15 +84,15 @@ TEST(LightKinds, HeadlightGoesWithTheCamera)
   const double facing = plane.cosine(-plane.forward());
   plane.expectEverywhere([&](const Vec&) { return facing; });
 
-  light->PositionalOn(); // then it stands where the camera does
+  light->PositionalOn(); // it is then at the camera's position
   plane.expectEverywhere([&](const Vec& p) { return plane.cosine(plane.position() - p); });
 
-  // The light of the caller stays what it was.
+  // The caller's light is not modified.
   EXPECT_EQ(glm::make_vec3(light->GetPosition()), Vec(70.0, 80.0, 90.0));
   EXPECT_EQ(light->GetTransformMatrix(), nullptr);
 }
 
-TEST(LightKinds, PositionalHeadlightHasItsConeRoundTheViewDirection)
+TEST(LightKinds, PositionalHeadlightHasItsConeAroundTheViewDirection)
 {
   Plane plane;
   plane.camera->SetViewAngle(60.0);
@@ -108,9 +108,9 @@ TEST(LightKinds, PositionalHeadlightHasItsConeRoundTheViewDirection)
     });
 }
 
-// In camera space the camera stands at (0, 0, 1), looks at the origin, y is up, and
-// the unit is the distance to the focal point.
-TEST(LightKinds, CameraLightLivesInCameraSpace)
+// In camera space the camera is at (0, 0, 1) and looks at the origin, y is up, and the unit is the
+// distance to the focal point.
+TEST(LightKinds, CameraLightIsInCameraSpace)
 {
   Plane plane;
   plane.look({ 2.0, 1.0, 5.0 }, { 0.5, 0.0, 1.0 }, { 0.3, 1.0, 0.1 });
@@ -129,7 +129,7 @@ TEST(LightKinds, CameraLightLivesInCameraSpace)
   plane.expectEverywhere([&](const Vec& p) { return plane.cosine(lamp - p); });
 }
 
-// The same, by VTK's own matrix.
+// The same, with VTK's own matrix.
 TEST(LightKinds, CameraLightIsWhereVTKPutsIt)
 {
   Plane plane;
@@ -178,7 +178,7 @@ TEST(LightKinds, Attenuation)
   Plane plane;
   const Vec lamp(0.3, 0.2, 1.5), a(0.5, 0.25, 0.125);
   plane.light(lamp, { 0.0, 0.0, 0.0 }, true)->SetAttenuationValues(a.x, a.y, a.z);
-  plane.property->SetAmbient(0.5); // what arrives is attenuated for both terms
+  plane.property->SetAmbient(0.5); // attenuation applies to both terms
   plane.expectEverywhere(
     [&](const Vec& p)
     {
@@ -187,7 +187,7 @@ TEST(LightKinds, Attenuation)
     });
 }
 
-// A positional vtkLight is a spot light of 30 degrees unless it is told otherwise.
+// By default a positional vtkLight is a spot light of 30 degrees.
 TEST(LightKinds, ConeOfThirtyDegreesByDefault)
 {
   Plane plane;
@@ -261,7 +261,7 @@ TEST(LightKinds, ColourIsTheDiffuseOne)
   expectColor(render(plane.tracer).at(4, 4), 1.5 * 0.5 * Vec(0.2, 0.4, 1.0), "plane");
 }
 
-TEST(LightKinds, LightsCanBeTakenAway)
+TEST(LightKinds, LightsCanBeRemoved)
 {
   Plane plane;
   auto first = plane.light({ 0.0, 0.0, 1.0 }, { 0.0, 0.0, 0.0 }, false);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The light model on sphere, cylinder and box: each pixel is compared with the
-// formula, with the point and the normal that the shape is known to have there.
+// The light model on a sphere, a cylinder and a box. Each pixel is compared with the formula at the
+// known point of the shape, with the known normal there.
 #include "Meshes.h"
 
 namespace
@@ -18,8 +18,8 @@ double enterSphere(const Ray& ray)
 }
 }
 
-// At a vertex the interpolated normal is the vertex's own, and that of a sphere is
-// known: each vertex in turn is brought to the centre of the image.
+// At a vertex the interpolated normal is the vertex's own, which is known for a sphere. Each vertex
+// in turn is at the centre of the image.
 TEST(LightOnSolids, SphereAtItsVertices)
 {
   Studio studio(5, 5);
@@ -36,7 +36,7 @@ TEST(LightOnSolids, SphereAtItsVertices)
   }
 }
 
-// A fine mesh comes as near to the true sphere as its facets are small.
+// A fine mesh is as close to the true sphere as its facets are small.
 TEST(LightOnSolids, SphereAsAWhole)
 {
   Studio studio;
@@ -58,7 +58,7 @@ TEST(LightOnSolids, SphereAsAWhole)
       {
         EXPECT_EQ(picture.at(i, j), Studio::background());
       }
-      else if (facing > 0.2) // else the facet's depth matters more
+      else if (facing > 0.2) // otherwise the facet's depth matters more
       {
         expectColor(
           picture.at(i, j), reflected(red, dim, white, lamp - point, point), pixelName(i, j), 1e-4);
@@ -71,8 +71,8 @@ TEST(LightOnSolids, SphereAsAWhole)
 
 namespace
 {
-/// A cylinder of seven facets, seen from outside along rays in the plane of its
-/// middle: each pixel shows a known facet at a known place.
+/// A cylinder of seven facets, seen from outside along rays in its middle plane. Each pixel shows a
+/// known point of a known facet.
 void expectCylinder(bool smooth)
 {
   const int n = 7;
@@ -139,7 +139,7 @@ TEST(LightOnSolids, BoxFlat)
   {
     for (int i = 0; i < studio.width(); ++i)
     {
-      // By slabs: the last of the three entries, if it comes before the first exit.
+      // By slabs: the last of the three entries, if it precedes the first exit.
       const Ray ray = studio.ray(i, j);
       const Vec a = (-half - ray.origin) / ray.direction, b = (half - ray.origin) / ray.direction;
       const Vec enter = glm::min(a, b), leave = glm::max(a, b);

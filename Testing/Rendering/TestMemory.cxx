@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A thousand pictures, one like none before it, leave nothing behind: under the address sanitizer
-// no byte that nobody knows of when the process ends; otherwise no more memory than after the
-// first few hundred.
+// A thousand different pictures leak no memory. Under the address sanitizer no unreachable byte may
+// be left when the process ends; otherwise the process may use no more memory than after the first
+// few hundred pictures.
 #include "Meshes.h"
 #include "Messages.h"
 #include "Sanitizers.h"
@@ -22,8 +22,8 @@ namespace
 {
 constexpr double kilobyte = 1024.0;
 
-/// Bytes of memory in use; 0 where that is not known, and under sanitizers, which keep what was
-/// freed for a while.
+/// The memory in use, in bytes. 0 if that is not known, or under sanitizers, which keep freed
+/// memory for a while.
 double residentMemory()
 {
 #if defined(__unix__) && !LAMBENT_ADDRESS_SANITIZER && !LAMBENT_THREAD_SANITIZER
@@ -37,8 +37,8 @@ double residentMemory()
   return 0.0;
 }
 
-/// Does step(0), step(1), ... A few kilobytes lost by each would show; how much more a process
-/// holds than it uses varies by less.
+/// Calls step(0), step(1) and so on. A leak of a few kilobytes per step would show; the memory that
+/// a process holds beyond what it uses varies by less.
 void expectFlatMemory(const std::function<void(int)>& step)
 {
   int k = 0;
@@ -54,7 +54,7 @@ void expectFlatMemory(const std::function<void(int)>& step)
   EXPECT_LE(residentMemory() - before, 4000.0 * kilobyte);
 }
 
-/// Meshes of different sizes, with normals, behind a filter of normals, without any, broken.
+/// Meshes of different sizes: with normals, through a filter of normals, without normals, broken.
 class Inputs
 {
 public:
@@ -97,7 +97,7 @@ private:
   std::vector<Mesh> Meshes;
 };
 
-/// Settings and objects, new ones and old ones, by the number of the picture.
+/// Changes settings and replaces objects, depending on the number of the picture.
 void change(Studio& studio, int k)
 {
   vtkLambentRayTracer* const tracer = studio.tracer;
@@ -121,7 +121,7 @@ void change(Studio& studio, int k)
   tracer->SetInputProperty(k % 2, k % 9 == 0 ? property.Get() : nullptr);
 }
 
-/// Aborts the filter at the first progress it makes, while it is told to.
+/// Aborts the filter at its first progress event while this is enabled.
 struct Aborter
 {
   bool isOn = false;
@@ -143,7 +143,7 @@ struct Aborter
 };
 }
 
-TEST(Memory, AThousandPicturesLeaveNothingBehind)
+TEST(Memory, AThousandPicturesDoNotLeak)
 {
   Studio studio;
   Inputs inputs;
@@ -172,7 +172,7 @@ TEST(Memory, AThousandPicturesLeaveNothingBehind)
     });
 }
 
-TEST(Memory, AThousandFiltersLeaveNothingBehind)
+TEST(Memory, AThousandFiltersDoNotLeak)
 {
   const Mesh mesh = makeSphere(20);
   expectFlatMemory(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When a picture is made anew, and what of the pipeline around it is touched.
+// When a picture is rendered again, and what that changes in the pipeline around it.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -12,7 +12,7 @@
 
 namespace
 {
-/// How often a filter has run.
+/// Counts the executions of a filter.
 class Executions
 {
 public:
@@ -86,7 +86,7 @@ TEST(Pipeline, RendersAgainExactlyWhenSomethingHasChanged)
   }
 }
 
-// Setting what is set already is no change.
+// Setting a value again is not a change.
 TEST(Pipeline, SameSettingsAreNoChange)
 {
   Studio studio;
@@ -102,14 +102,14 @@ TEST(Pipeline, SameSettingsAreNoChange)
   EXPECT_EQ(executions.count(), 1);
 }
 
-// Making a picture touches neither the inputs nor what else the caller has handed in.
-TEST(Pipeline, LeavesTheCallersObjectsAlone)
+// Rendering modifies neither the inputs nor the caller's other objects.
+TEST(Pipeline, DoesNotModifyTheCallersObjects)
 {
   Studio studio;
   vtkNew<vtkLight> light;
   studio.tracer->AddLight(light);
   const Mesh meshes[] = { makeSphere(6), makeBox(0.5, 0.5, 0.5), makeSquare(0.25) };
-  meshes[1]->GetPointData()->SetNormals(nullptr); // computed in the filter
+  meshes[1]->GetPointData()->SetNormals(nullptr); // the filter computes them
   for (const Mesh& mesh : meshes)
   {
     studio.tracer->AddInputDataObject(mesh);
@@ -170,7 +170,7 @@ TEST(Pipeline, OutputIsAnImageWithColours)
   }
 }
 
-// What was passed on keeps its picture when the next one is made.
+// A picture that was passed on stays unchanged when the next one is rendered.
 TEST(Pipeline, PicturesDoNotShareMemory)
 {
   Studio studio;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What others were told in bug reports, as tests of ours. The reports are named as project#number.
+// Bugs reported to other projects, as tests of this one. The reports are named as project#number.
 //
-// Several have tests elsewhere:
+// Tests elsewhere cover several of them:
 //   cracks at shared edges and vertices     TestWatertight, TestContract
 //   jitter at map coordinates               TestLargeCoordinates
 //   another picture with more threads       TestThreads, and Testing/Reproducibility
@@ -14,15 +14,15 @@ namespace
 const Vec axes[] = { { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, -1.0, 0.0 },
   { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } };
 
-/// Across an axis.
+/// A direction perpendicular to the axis.
 Vec upFor(const Vec& axis)
 {
   return axis.y != 0.0 ? Vec(0.0, 0.0, 1.0) : Vec(0.0, 1.0, 0.0);
 }
 }
 
-// A component of the ray's direction that is 0 or -0 divides to infinity, 0 times that is no
-// number, and boxes or flat meshes are missed: madmann91/bvh#9, madmann91/bvh#20,
+// A component of 0 or -0 in the ray's direction gives infinity in a division, and 0 times infinity
+// is NaN, so boxes or flat meshes are missed: madmann91/bvh#9, madmann91/bvh#20,
 // jbikker/tinybvh#282, NVIDIA/warp#1530.
 TEST(Pitfalls, RaysAlongAnAxis)
 {
@@ -45,7 +45,7 @@ TEST(Pitfalls, RaysAlongAnAxis)
   }
 }
 
-// From within the plane of one of the box's sides, along that plane.
+// The eye lies in the plane of one side of the box, and looks along that plane.
 TEST(Pitfalls, RaysWithinTheSideOfABox)
 {
   for (const Vec& axis : axes)
@@ -67,11 +67,11 @@ TEST(Pitfalls, RaysWithinTheSideOfABox)
   }
 }
 
-// Determinants grow with the square of a triangle's size; compared with a fixed number, small
-// triangles are lost: jbikker/tinybvh#283, g-truc/glm#1158.
+// Determinants grow with the square of a triangle's size. If they are compared with a fixed number,
+// small triangles are lost: jbikker/tinybvh#283, g-truc/glm#1158.
 TEST(Pitfalls, TinyTriangles)
 {
-  for (double size : { 2e-4, 1e-7, 1e-12, 1e-19 }) // a vtkCamera looks no nearer than 1e-20
+  for (double size : { 2e-4, 1e-7, 1e-12, 1e-19 }) // vtkCamera's limit is 1e-20
   {
     for (int parallel : { 0, 1 })
     {
@@ -88,7 +88,7 @@ TEST(Pitfalls, TinyTriangles)
   }
 }
 
-// The same from afar: a triangle of one part in 10^9 of the distance, in the middle of a pixel.
+// The same from a distance: a triangle of 10^-9 of the distance, at the centre of a pixel.
 TEST(Pitfalls, TinyTrianglesOnARay)
 {
   for (double size : { 1e-3, 1e-6, 1e-9, 1e-12 })
@@ -102,7 +102,7 @@ TEST(Pitfalls, TinyTrianglesOnARay)
   }
 }
 
-// Points move, but normals that were computed before stay: wolph/numpy-stl#111.
+// Points move, but previously computed normals stay the same: wolph/numpy-stl#111.
 TEST(Pitfalls, NormalsFollowThePoints)
 {
   const Mesh grid = makeGrid(8, -4.0, -4.0);
@@ -128,9 +128,9 @@ TEST(Pitfalls, NormalsFollowThePoints)
   EXPECT_NE(bent.bits(), flat.bits());
 }
 
-// Two faces in one place flicker from pixel to pixel, or change places from run to run. Which one a
-// ray reports is undecided elsewhere: RenderKit/embree#188, mikedh/trimesh#1338.
-TEST(Pitfalls, OfCoincidentFacesTheFirstIsSeen)
+// Coincident faces flicker from pixel to pixel or from run to run. Other projects leave open which
+// one a ray reports: RenderKit/embree#188, mikedh/trimesh#1338.
+TEST(Pitfalls, FirstOfCoincidentFacesIsVisible)
 {
   const Mesh ball = makeSphere(12);
   const Vec red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0);
@@ -155,7 +155,7 @@ TEST(Pitfalls, OfCoincidentFacesTheFirstIsSeen)
   }
 }
 
-// From inside, walls are missing or dark: mitsuba-renderer/mitsuba2#132, vispy/vispy#2493.
+// Seen from inside, walls are missing or dark: mitsuba-renderer/mitsuba2#132, vispy/vispy#2493.
 TEST(Pitfalls, FromInsideAMeshLooksLikeOneTurnedInsideOut)
 {
   const Mesh outwards = makeBox(1.0, 1.5, 2.0);
@@ -183,7 +183,7 @@ TEST(Pitfalls, FromInsideAMeshLooksLikeOneTurnedInsideOut)
   {
     for (int i = 0; i < 64; ++i)
     {
-      EXPECT_GT(picture.at(i, j).x, 0.0) << pixelName(i, j); // no wall is turned from the lamp
+      EXPECT_GT(picture.at(i, j).x, 0.0) << pixelName(i, j); // no wall faces away from the lamp
       expectColor(picture.at(i, j), expected.at(i, j), pixelName(i, j));
     }
   }

@@ -12,7 +12,7 @@
 
 namespace
 {
-/// What is told of the progress, and an abort as soon as it exceeds a fraction.
+/// Records the reported progress, and aborts as soon as it exceeds a fraction.
 struct Watcher
 {
   std::vector<double> told;
@@ -40,7 +40,7 @@ struct Watcher
 };
 }
 
-TEST(Progress, RisesToOneInTheCallersThread)
+TEST(Progress, IncreasesToOneInTheCallersThread)
 {
   Studio studio(640, 480);
   studio.tracer->SetInputData(makeSphere(200));
@@ -56,8 +56,9 @@ TEST(Progress, RisesToOneInTheCallersThread)
   EXPECT_TRUE(watcher.isOwnThread);
 }
 
-// Also where no normals are computed: cells are checked and cut, and bounds found.
-TEST(Progress, IsToldWhileTheSceneIsMade)
+// Progress is also reported without computed normals, while cells are checked and divided and
+// bounds are computed.
+TEST(Progress, IsReportedWhileTheSceneIsCreated)
 {
   std::vector<vtkIdType> ids(100000);
   std::vector<Vec> points;
@@ -83,8 +84,8 @@ TEST(Progress, IsToldWhileTheSceneIsMade)
   }
 }
 
-// Many small inputs are told of together, now and then.
-TEST(Progress, IsToldWhileManySurfacesAreMade)
+// Many small inputs share one progress report.
+TEST(Progress, IsReportedWhileManySurfacesAreCreated)
 {
   Studio studio(64, 48);
   const Mesh square = makeSquare();
@@ -100,8 +101,8 @@ TEST(Progress, IsToldWhileManySurfacesAreMade)
   EXPECT_LE(early, 10);
 }
 
-// Normals that are computed have a share of it.
-TEST(Progress, IsToldWhileNormalsAreComputed)
+// Computing normals has its share of the progress.
+TEST(Progress, IsReportedWhileNormalsAreComputed)
 {
   Studio studio(64, 48);
   Mesh sphere = makeSphere(150);
@@ -122,7 +123,7 @@ TEST(Progress, IsToldWhileNormalsAreComputed)
   EXPECT_TRUE(messages.errors().empty());
 }
 
-TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
+TEST(Progress, AbortGivesAnEmptyOutputAndTheNextPictureIsRight)
 {
   Studio studio(200, 100);
   studio.tracer->SetInputData(makeSphere(50));
@@ -141,14 +142,14 @@ TEST(Progress, AbortLeavesAnEmptyOutputAndTheNextPictureIsRight)
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
     studio.tracer->AbortExecuteOff(); // older executives do that themselves
 #endif
-    const Picture again = render(studio.tracer); // with nothing changed since
+    const Picture again = render(studio.tracer); // although nothing has changed
     EXPECT_SAME_BITS(expected, again) << fraction;
   }
   EXPECT_TRUE(messages.errors().empty());
   EXPECT_TRUE(messages.warnings().empty());
 }
 
-// At each of up to twenty of the moments at which the picture tells of its progress.
+// Aborts at each of up to twenty of the progress reports.
 TEST(Progress, AbortAtAnyMoment)
 {
   Studio studio(640, 480);
@@ -176,7 +177,7 @@ TEST(Progress, AbortAtAnyMoment)
   }
 }
 
-// An abort that comes before or while normals are computed ends that, too, and is no error.
+// An abort before or during the computation of normals ends it, and is not an error.
 TEST(Progress, AbortBeforeNormalsAreComputed)
 {
   Studio studio(200, 100);
@@ -186,7 +187,7 @@ TEST(Progress, AbortBeforeNormalsAreComputed)
   const Picture expected = render(studio.tracer);
   const Messages messages(studio.tracer);
   Watcher watcher(studio.tracer);
-  watcher.abortAt = -1.0; // as soon as it begins
+  watcher.abortAt = -1.0; // at the start
   studio.tracer->Modified();
   studio.tracer->Update();
   EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
@@ -199,8 +200,8 @@ TEST(Progress, AbortBeforeNormalsAreComputed)
   EXPECT_SAME_BITS(expected, again);
 }
 
-// The executive tells of 1 in any case; the picture's own making does too.
-TEST(Progress, OfThePictureItselfRisesToOne)
+// The executive always reports 1; the rendering itself does so, too.
+TEST(Progress, IncreasesToOneInTheCore)
 {
   std::vector<float> floats(3 * 40 * 30);
   lambent::Image image;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// ResetCamera(), and the view without a camera, frame the inputs as vtkRenderer does.
+// ResetCamera(), and the view without a camera, frame the inputs like vtkRenderer.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -9,7 +9,7 @@
 
 namespace
 {
-/// A box off the origin, longest along y.
+/// A box away from the origin, longest along y.
 Mesh makeSubject()
 {
   const Mesh box = makeBox(0.5, 2.0, 1.0);
@@ -29,7 +29,7 @@ void resetByRenderer(vtkCamera* camera, const int size[2], const double bounds[6
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   renderer->SetActiveCamera(camera);
-  // VTK 9.1's viewport compares with a size that it has not set yet; a change is seen.
+  // VTK 9.1's viewport compares the size with one that is not set yet, but notices a change.
   window->SetSize(size[0] + 1, size[1] + 1);
   renderer->ComputeAspect();
   window->SetSize(size[0], size[1]);
@@ -81,14 +81,14 @@ TEST(ResetCamera, EqualsTheRenderers)
   }
 }
 
-TEST(ResetCamera, TurnsAParallelViewUpAsTheRendererDoes)
+TEST(ResetCamera, ReplacesAParallelViewUpLikeTheRenderer)
 {
   const Mesh mesh = makeSubject();
   Studio studio(60, 40);
   studio.look({ 0.0, 9.0, 0.0 }, { 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0001 });
   vtkNew<vtkCamera> expected;
   expected->DeepCopy(studio.camera);
-  vtkObject::GlobalWarningDisplayOff(); // the renderer tells of it
+  vtkObject::GlobalWarningDisplayOff(); // the renderer warns
   resetByRenderer(expected, studio.tracer->GetImageSize(), mesh->GetBounds());
   vtkObject::GlobalWarningDisplayOn();
   studio.tracer->SetInputData(mesh);
@@ -96,7 +96,7 @@ TEST(ResetCamera, TurnsAParallelViewUpAsTheRendererDoes)
   expectSameView(studio.camera, expected);
 }
 
-TEST(ResetCamera, FramesASinglePlace)
+TEST(ResetCamera, FramesASinglePoint)
 {
   Studio studio(60, 40);
   const Mesh mesh = makeMesh({ { 1.0, 2.0, 3.0 } }, { { 0, 0, 0 } });
@@ -121,13 +121,13 @@ TEST(ResetCamera, FramesAllInputs)
   expectSameView(studio.camera, expected);
 }
 
-TEST(ResetCamera, MakesACameraWhereThereIsNone)
+TEST(ResetCamera, CreatesACameraIfThereIsNone)
 {
   Studio studio(60, 40);
   studio.tracer->SetCamera(nullptr);
   studio.tracer->SetInputData(makeSubject());
   const Picture byDefault = render(studio.tracer);
-  EXPECT_EQ(studio.tracer->GetCamera(), nullptr); // the default view is nobody's camera
+  EXPECT_EQ(studio.tracer->GetCamera(), nullptr); // the default view sets no camera
   studio.tracer->ResetCamera();
   ASSERT_NE(studio.tracer->GetCamera(), nullptr);
   vtkNew<vtkCamera> expected;
@@ -151,7 +151,7 @@ TEST(ResetCamera, UpdatesTheInputs)
   EXPECT_NE(studio.position(), before);
 }
 
-TEST(ResetCamera, OfNothingLeavesTheCamera)
+TEST(ResetCamera, KeepsTheCameraWithoutPoints)
 {
   Studio studio(60, 40);
   studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });
@@ -160,7 +160,7 @@ TEST(ResetCamera, OfNothingLeavesTheCamera)
   EXPECT_EQ(studio.position(), Vec(1.0, 2.0, 9.0));
 }
 
-TEST(ResetCamera, OfABrokenMeshIsAnErrorAndLeavesTheCamera)
+TEST(ResetCamera, BrokenMeshIsAnErrorAndKeepsTheCamera)
 {
   Studio studio(60, 40);
   studio.look({ 1.0, 2.0, 9.0 }, { 0.5, 0.0, -3.0 });

@@ -30,7 +30,7 @@ TEST(Settings, Defaults)
   EXPECT_GE(vtkLambentRayTracer::GetImageContractVersion(), 1);
 }
 
-TEST(Settings, AreClampedOrRefused)
+TEST(Settings, AreClampedOrRejected)
 {
   vtkNew<vtkLambentRayTracer> tracer;
   Messages messages(tracer);
@@ -84,7 +84,7 @@ TEST(Settings, ObjectsAreHeldWhileTheyAreSet)
 }
 
 // PrintSelf() names every setting, with its value.
-TEST(Settings, PrintSelfIsWhole)
+TEST(Settings, PrintSelfIsComplete)
 {
   vtkNew<vtkLambentRayTracer> tracer;
   tracer->SetImageSize(123, 456);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which normal a surface is shaded with, from which side it is seen, and what it
-// shows without light.
+// The normal that shades a surface, the side from which it is seen, and its colour without
+// lighting.
 #include "Meshes.h"
 
 #include "vtkLambentNormals.h"
 
 namespace
 {
-/// A triangle in the plane z = 0 that fills the view, under a directional light from
-/// l, white and with an ambient term of 1/16.
+/// A white triangle in the plane z = 0 that fills the view, under a directional light from l, with
+/// an ambient term of 1/16.
 struct Facing : Studio
 {
   const Vec l{ 0.6, 0.0, 0.8 };
@@ -74,7 +74,7 @@ TEST(ShadingModes, SmoothIsTheDefault)
   expectColor(render(facing.tracer).at(3, 2), Vec(0.6), "white, ambient 0, diffuse 1, smooth");
 }
 
-// The normal varies linearly over the triangle and is then normalised, in each pixel.
+// The normal varies linearly over the triangle and is normalised at each pixel.
 TEST(ShadingModes, NormalsAreInterpolatedThenNormalised)
 {
   Facing facing;
@@ -101,8 +101,8 @@ TEST(ShadingModes, NormalsAreInterpolatedThenNormalised)
   EXPECT_NE(picture.at(3, 2), Studio::background());
 }
 
-// Normals that cancel leave no direction; the ambient term remains.
-TEST(ShadingModes, NoNormalIsTheAmbientTerm)
+// If the normals cancel there is no direction; the ambient term remains.
+TEST(ShadingModes, WithoutANormalTheAmbientTermRemains)
 {
   Facing facing;
   setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, 0.0 }));
@@ -143,9 +143,9 @@ TEST(ShadingModes, TwoSidedLightingTurnsTheNormalToTheViewer)
   }
 }
 
-// The back of a face is where its points run clockwise, whatever its normals say.
-// As in a mirrored mesh: its faces run the other way round, its normals say where outside is.
-TEST(ShadingModes, NormalsOnTheOtherSideOfTheWindingTellTheSides)
+// The winding determines the back of a face, unless the point normals disagree with it. An example
+// is a mirrored mesh: its faces are reversed, but its normals still point outwards.
+TEST(ShadingModes, NormalsOppositeToTheWindingDecideTheSide)
 {
   Facing facing;
   setPointNormals(facing.mesh, std::vector<Vec>(3, { 0.0, 0.0, -1.0 }));
@@ -180,8 +180,8 @@ TEST(ShadingModes, Culling)
   facing.expectNothing("back, back faces culled");
 }
 
-// What is culled hides nothing: a closed box shows its inside.
-TEST(ShadingModes, CullingLooksThrough)
+// Culled faces hide nothing: a closed box shows its inside.
+TEST(ShadingModes, CulledFacesHideNothing)
 {
   Studio studio(9, 9);
   studio.property->SetInterpolationToFlat();
@@ -192,8 +192,8 @@ TEST(ShadingModes, CullingLooksThrough)
   expectColor(render(studio.tracer).at(4, 4), Vec(1.0), "inside, facing the light");
 }
 
-// A smooth surface without normals looks as if vtkLambentNormals had been put before.
-TEST(ShadingModes, ComputedNormalsAreThoseOfTheFilter)
+// A smooth surface without normals looks as if it came through vtkLambentNormals.
+TEST(ShadingModes, ComputedNormalsEqualTheFilters)
 {
   Studio studio(40, 30);
   Mesh sphere = makeSphere(9);
@@ -209,7 +209,7 @@ TEST(ShadingModes, ComputedNormalsAreThoseOfTheFilter)
   EXPECT_NE(render(studio.tracer).bits(), alone.bits());
 }
 
-TEST(ShadingModes, InputPropertiesGoBeforeTheCommonOne)
+TEST(ShadingModes, InputPropertiesOverrideTheCommonOne)
 {
   Studio studio(4, 1);
   Mesh left =

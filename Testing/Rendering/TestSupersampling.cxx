@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the filter adds to the core's several samples a pixel: the setting, parts of the image,
-// the ids. That the averages are exact is tested with the core.
+// What the filter adds to the core's supersampling: the setting, parts of the image, and the ids.
+// The core's tests check that the averages are exact.
 #include "Meshes.h"
 
 #include "vtkIdTypeArray.h"
@@ -29,7 +29,7 @@ vtkIdType idAt(vtkImageData* image, const char* name, int i, int j)
 }
 }
 
-TEST(Supersampling, IsTheLargerPictureAveraged)
+TEST(Supersampling, AveragesTheLargerPicture)
 {
   for (const int n : { 2, 3, 4, 7 })
   {
@@ -46,7 +46,7 @@ TEST(Supersampling, IsTheLargerPictureAveraged)
         sum += samples.at(n * i + k % n, n * j + k / n);
       }
       const Vec difference = glm::abs(picture.at(i, j) - sum / static_cast<double>(n * n));
-      EXPECT_LT(std::max({ difference.x, difference.y, difference.z }), 2e-7) // floats were added
+      EXPECT_LT(std::max({ difference.x, difference.y, difference.z }), 2e-7) // samples are floats
         << n << " samples, pixel " << i << ", " << j;
     }
   }
@@ -68,8 +68,8 @@ TEST(Supersampling, PartsEqualTheWhole)
   }
 }
 
-// Those of one sample, the middle one: ids have no average.
-TEST(Supersampling, IdsAreThoseOfTheMiddleSample)
+// The ids are those of the central sample, since ids cannot be averaged.
+TEST(Supersampling, IdsComeFromTheCentralSample)
 {
   for (const int n : { 2, 3 })
   {
@@ -93,7 +93,7 @@ TEST(Supersampling, IdsAreThoseOfTheMiddleSample)
   }
 }
 
-// A square across half of a pixel's width: its value lies between square and background.
+// A square covers half of the width of a pixel, whose value lies between square and background.
 TEST(Supersampling, SmoothsEdges)
 {
   Studio studio(4, 1);

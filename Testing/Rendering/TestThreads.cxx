@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bits on every backend of vtkSMPTools and for every number of threads. Others were
-// told of pictures that differ: mitsuba-renderer/mitsuba#184, POV-Ray/povray#350.
+// The same bits with every backend of vtkSMPTools and any number of threads. Bugs of others with
+// pictures that differ: mitsuba-renderer/mitsuba#184, POV-Ray/povray#350.
 #include "Backends.h"
 #include "Meshes.h"
 
@@ -64,7 +64,7 @@ TEST(Threads, RepeatedPicturesAreTheSame)
   }
 }
 
-// Filters know nothing of each other, so several may work at the same time.
+// Filters share no state, so several may run at the same time.
 TEST(Threads, SeveralFiltersAtTheSameTime)
 {
   constexpr int count = 3;
@@ -101,7 +101,7 @@ TEST(Threads, SeveralFiltersAtTheSameTime)
 }
 
 #ifdef __unix__
-// A process that comes from fork() has the backend, but none of its threads.
+// A process created by fork() has the backend, but none of its threads.
 TEST(Threads, WorkAfterFork)
 {
   for (const std::string& backend : smpBackends())
@@ -116,7 +116,7 @@ TEST(Threads, WorkAfterFork)
         ASSERT_GE(child, 0);
         if (child == 0)
         {
-          alarm(60); // ends the process rather than let it hang
+          alarm(60); // ends a process that hangs
           studio.tracer->Modified();
           _exit(render(studio.tracer).bits() == expected ? 0 : 1);
         }

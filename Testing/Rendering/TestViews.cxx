@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is seen where: the pixels that a convex mesh covers are those whose centres
-// lie in the convex hull of its projected points, for every kind of view.
+// Where objects appear: a convex mesh covers the pixels whose centres lie in the convex hull of its
+// projected points, in every kind of view.
 #include "Meshes.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ double cross(const glm::dvec2& a, const glm::dvec2& b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// Counter-clockwise, by A. M. Andrew's monotone chain (1979).
+/// The convex hull, counter-clockwise, by A. M. Andrew's monotone chain (1979).
 std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points)
 {
   std::sort(points.begin(), points.end(),
@@ -38,7 +38,7 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points)
   return hull;
 }
 
-/// How far inside the hull a point lies, in pixels; negative outside.
+/// The depth of a point inside the hull, in pixels; negative outside.
 double depthInside(const std::vector<glm::dvec2>& hull, const glm::dvec2& p)
 {
   double depth = 1e9;
@@ -50,7 +50,7 @@ double depthInside(const std::vector<glm::dvec2>& hull, const glm::dvec2& p)
   return depth;
 }
 
-/// Returns how many pixels are covered.
+/// Returns the number of covered pixels.
 int expectSilhouette(Studio& studio, vtkPolyData* mesh)
 {
   studio.tracer->SetInputData(mesh);
@@ -75,7 +75,7 @@ int expectSilhouette(Studio& studio, vtkPolyData* mesh)
   return covered;
 }
 
-/// Box, cylinder and sphere, all partly or wholly in view.
+/// A box, a cylinder and a sphere, entirely or partly in view.
 void expectSilhouettes(Studio& studio)
 {
   const int most = studio.width() * studio.height();
@@ -148,7 +148,7 @@ TEST(Views, ClippingRangeIsIgnored)
   expectSilhouettes(studio);
 }
 
-// Nothing behind the eye is seen, and of what passes it only the part in front.
+// Nothing behind the eye is visible; of a surface that passes it, only the part in front is.
 TEST(Views, BehindTheEye)
 {
   for (int parallel : { 0, 1 })
@@ -159,7 +159,7 @@ TEST(Views, BehindTheEye)
     studio.tracer->SetInputData(makeSphere(8));
     EXPECT_EQ(render(studio.tracer).count(Studio::background()), 21 * 21);
   }
-  // A floor from far behind the eye to far before it covers the lower half.
+  // A floor that extends from far behind the eye to far in front of it covers the lower half.
   Studio studio(21, 20);
   studio.tracer->SetInputData(
     makeMesh({ { -1e4, -1.0, 1e4 }, { 1e4, -1.0, 1e4 }, { 1e4, -1.0, -1e6 }, { -1e4, -1.0, -1e6 } },
@@ -213,7 +213,7 @@ TEST(Views, Background)
       std::floor(255.0 * 0.5 * 0.5 / 8.0 + 0.5), 0.0));
 }
 
-// The nearest of two surfaces, whatever their order, and at the same depth the first.
+// The nearest of two surfaces is visible, in any order; at the same depth, the first is.
 TEST(Views, NearestWins)
 {
   Studio studio(9, 9);

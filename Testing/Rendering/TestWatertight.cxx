@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No ray slips between two triangles that share an edge or a vertex: of a surface
-// that closes the view not one pixel of the background is seen. Others were told of cracks:
-// RenderKit/embree#174, RenderKit/embree#181, jbikker/tinybvh#168, mrdoob/three.js#11449.
+// No ray passes between two triangles that share an edge or a vertex: a closed surface around the
+// view shows not one pixel of the background. Bugs of others with cracks: RenderKit/embree#174,
+// RenderKit/embree#181, jbikker/tinybvh#168, mrdoob/three.js#11449.
 #include "Meshes.h"
 
 #include <random>
 
 namespace
 {
-/// The standard's generators are portable, its distributions are not.
+/// The standard's generators are portable; its distributions are not.
 class Random
 {
 public:
@@ -46,13 +46,13 @@ TEST(Watertight, ClosedMeshesFromInside)
     studio.look(from, from + random.inBox(1.0), random.inBox(1.0));
     expectNoBackground(studio, "camera " + std::to_string(k));
     studio.camera->ParallelProjectionOn();
-    studio.camera->SetParallelScale(0.05); // the plane of the eye lies within the mesh
+    studio.camera->SetParallelScale(0.05); // the eye's plane crosses the mesh
     expectNoBackground(studio, "parallel camera " + std::to_string(k));
   }
 }
 
-// Far away, points lie on a lattice of floats, and triangles degenerate; the mesh
-// stays closed all the same.
+// Far from the origin, floats form a coarse lattice and triangles degenerate, but the mesh stays
+// closed.
 TEST(Watertight, ClosedMeshFarFromTheOrigin)
 {
   Random random;
@@ -75,8 +75,8 @@ TEST(Watertight, ClosedMeshFarFromTheOrigin)
   }
 }
 
-// The camera's axis goes exactly through a vertex, or through the middle of an edge,
-// in the middle of the central pixel; the other pixels look along the edges.
+// The camera's axis goes exactly through a vertex or the midpoint of an edge, at the centre of the
+// central pixel. The other rays pass close to the edges.
 TEST(Watertight, RaysAimedAtVerticesAndEdges)
 {
   const Mesh sphere = makeSphere(9);
@@ -86,7 +86,7 @@ TEST(Watertight, RaysAimedAtVerticesAndEdges)
   studio.camera->SetViewAngle(2.0);
   for (std::size_t p = 0; p + 1 < points.size(); ++p)
   {
-    const Vec middle = 0.5 * (points[p] + points[p + 1]); // in one ring: an edge
+    const Vec middle = 0.5 * (points[p] + points[p + 1]); // in the same ring, so this is an edge
     for (const Vec& target : { points[p], middle })
     {
       studio.look(Vec(0.125, 0.0, 0.0), target, { 0.3, 0.4, 1.0 });
@@ -102,7 +102,7 @@ TEST(Watertight, GridWithPointsOnPixelCentres)
   const int n = 64;
   for (int parallel : { 0, 1 })
   {
-    for (double shift : { 0.0, 0.5 }) // points on the centres, and between them
+    for (double shift : { 0.0, 0.5 }) // points on pixel centres, and between them
     {
       Studio studio(n, n);
       studio.tracer->SetInputData(makeGrid(n + 2, -n / 2 - 1.0, -n / 2 - 1.0));
@@ -115,8 +115,8 @@ TEST(Watertight, GridWithPointsOnPixelCentres)
   }
 }
 
-// A grid turned a little, seen exactly from the side of one of its edges.
-TEST(Watertight, GridsUnderAllAngles)
+// A grid seen from random directions; the camera's axis goes exactly through one of its points.
+TEST(Watertight, GridsFromAllAngles)
 {
   Random random;
   for (int k = 0; k < 40; ++k)

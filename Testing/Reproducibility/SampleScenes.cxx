@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Several samples a pixel.
+// Scenes with several samples per pixel.
 #include "Scenes.h"
 
 namespace
 {
-/// A ball before a box of another colour, on a gradient.
+/// A ball in front of a box of another colour, on a gradient.
 void still(Stage& s, int samples)
 {
   s.samples = samples;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws every scene, prints the SHA-256 of each picture, and compares with the list scenes.sha256.
+"""Renders every scene, prints the SHA-256 of each picture, and compares with the list scenes.sha256.
 
     scenes.py PROGRAM [options of the program]             exit status 1 if a picture differs
-    scenes.py --update PROGRAM [options of the program]    makes what was drawn the list
-    scenes.py --all PROGRAM                                by each instruction set, number of threads, ...
+    scenes.py --update PROGRAM [options of the program]    makes the results the list
+    scenes.py --all PROGRAM                                with each instruction set, number of threads, ...
 
 PROGRAM is LambentReproducibility or LambentReproducibilityVTK; it may be several words, such as an
 emulator and its program. The list has the format of sha256sum, for the files that the program writes.

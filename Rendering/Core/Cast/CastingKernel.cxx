@@ -30,8 +30,8 @@ Floats largest(Floats a, Floats b, Floats c)
   return hn::Max(hn::Max(a, b), c);
 }
 
-/// An affine function of the ray, for several columns: a value that all rows share, and the change
-/// per row.
+/// An affine function of the sample, for several columns: a value that all rows share, and the
+/// change per row.
 struct Column
 {
   Floats constant, perRow;

@@ -30,8 +30,8 @@ struct Triangles
   double corners[12][lanesAtMost];
   AffineFloats edges[3]; ///< divided by their sizes
   float error[lanesAtMost];
-  /// The range of nearness at a ray: nearness - spread to nearness + spread, clipped to the range
-  /// from farthest to nearest.
+  /// The range of nearness at a sample: nearness - spread to nearness + spread, clipped to the
+  /// range from farthest to nearest.
   AffineFloats nearness;
   float spread[lanesAtMost], farthest[lanesAtMost], nearest[lanesAtMost];
   float nearestInBox[lanesAtMost];

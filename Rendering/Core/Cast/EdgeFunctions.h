@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief edge functions and others that are affine over the rays of a tile, for several triangles
- * at a time
+ * @brief edge functions and others that are affine over the samples of a tile, for several
+ * triangles at a time
  *
  * Included once for each target, hence the toggled guard.
  */
@@ -34,10 +34,10 @@ struct AffineFloats
 /// The position of a tile on the image plane.
 struct TilePlane
 {
-  double x, y; ///< of its first ray
+  double x, y; ///< of its first sample
   double xMax, yMax;
   double pixel;
-  double width, height; ///< in rays
+  double width, height; ///< in samples
 
   TilePlane(const CameraFrame& frame, const TileSamples& samples)
     : x(samples.xs()[0])
@@ -76,7 +76,7 @@ M isBelow(V a, double limit)
   return hn::Lt(a, hn::Set(d, limit)); // false for NaN
 }
 
-/// A function that is affine over the rays of a tile.
+/// A function that is affine over the samples of a tile.
 struct Affine
 {
   V constant, perColumn, perRow;

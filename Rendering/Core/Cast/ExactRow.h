@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// A triangle in the camera's frame, and the box of rays to test.
+/// A triangle in the camera's frame, and the box of samples to test.
 struct BoxTriangle
 {
   FramePoint a, b, c;
@@ -74,7 +74,7 @@ M intersectRays(const BoxTriangle& t, V x, double row, V& depth)
   return hit;
 }
 
-/// Appends the hits of the rays of a row, from ray i on, whose bits are set.
+/// Appends the hits of the samples of a row, from sample i on, whose bits are set.
 void exactRow(const BoxTriangle& t, int row, int i, const std::uint8_t bits[8],
   const TileSamples& samples, std::vector<ExactHit>& hits)
 {

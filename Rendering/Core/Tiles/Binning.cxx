@@ -116,7 +116,7 @@ Binning::BoxedPartView Binning::viewOf(const BoxedPart& boxed) const
     part.isCulling() };
 }
 
-/// Bins the triangles that have a ray in their box.
+/// Bins the triangles that have a sample in their box.
 template <bool IsOnePart>
 void Binning::binFound(BinningMemory& memory) const
 {

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief streams the triangles past the rays, and bins each one in the tiles that it touches
+ * @brief streams the triangles past the samples, and bins each one in the tiles that it touches
  *
- * For each triangle, read the lattice positions of its three points. If no ray lies between them,
- * drop the triangle. Otherwise put it into the bins of the tiles that contain those rays. A
- * triangle that crosses the eye plane has no bounded projection and goes to all tiles. A triangle
+ * For each triangle, read the lattice positions of its three points. If no sample lies between
+ * them, drop the triangle. Otherwise put it into the bins of the tiles that contain those samples.
+ * A triangle that crosses the eye plane has no bounded projection and goes to all tiles. A triangle
  * wholly at or behind the eye plane is dropped.
  *
  * binPlainly() processes one triangle at a time and is the definition. Where the mesh allows it,
- * the kernel of LatticeKernel.h processes blocks of triangles instead. If a triangle has few rays,
- * its certain hits are binned at once (Coverage.h), and its points are not read again until it is
- * shaded.
+ * the kernel of LatticeKernel.h processes blocks of triangles instead. If a triangle has few
+ * samples in its box, its certain hits are binned at once (Coverage.h), and its points are not read
+ * again until it is shaded.
  */
 #ifndef lambent_Binning_h
 #define lambent_Binning_h

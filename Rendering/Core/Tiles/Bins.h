@@ -157,8 +157,9 @@ public:
     this->Hits.clear();
   }
 
-  /// Adds a triangle to the tiles that contain its rays. If the box of rays is exact, these may be
-  /// finest tiles, so all boxes there are exact. Otherwise they are tiles of a coarser level.
+  /// Adds a triangle to the tiles that contain the samples of its box. If the box is exact, these
+  /// may be finest tiles, so all boxes there are exact. Otherwise they are tiles of a coarser
+  /// level.
   void insert(std::uint32_t triangle, const Window& rays, bool isExact)
   {
     const TileGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);

@@ -2,29 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief which rays small triangles cover, decided in float where float is certain
+ * @brief which samples small triangles cover, decided in float where float is certain
  *
- * Most triangles of a fine mesh cover one ray or none. For these, exact arithmetic is used only
- * where it is needed. Let u, v be the projections of the corners in rays, as floats. The edge
- * function of corners a, b at the ray p is
+ * Most triangles of a fine mesh cover one sample or none. For these, exact arithmetic is used only
+ * where it is needed. Let u, v be the projections of the corners in samples, as floats. The edge
+ * function of corners a, b at the sample p is
  *
  *     E = (b_u - a_u) (p_v - a_v) - (b_v - a_v) (p_u - a_u)
  *
  * It has the sign of the edge function in intersect() wherever it is farther from zero than its
- * error. If all three certainly have the same sign, the ray hits. If two certainly have different
- * signs, it misses. Anything else is uncertain and left to intersect().
+ * error. If all three certainly have the same sign, the sample's ray hits. If two certainly have
+ * different signs, it misses. Anything else is uncertain and left to intersect().
  *
  * The error bound. Let d be the largest difference between a float u or v and the exact projection:
  * half a unit in the last place of the largest coordinate, plus the rounding of the projection
- * itself. Let w, h be the extent of the triangle, as floats. The ray lies in the box of the
+ * itself. Let w, h be the extent of the triangle, as floats. The sample lies in the box of the
  * triangle (boxes here are exact), so |p - a| is at most the extent plus d. Then
  *
  * - moving the corners by d changes E by at most 2d |p_v - a_v| + d |b_u - a_u| + 2d |p_u - a_u| +
  *   d |b_v - a_v| and second-order terms: at most 3d (w + h) + 8 d^2;
  * - evaluating E rounds each of the four differences, both products and the result: at most 8 units
  *   of 2^-24 w h;
- * - intersect() computes its edge functions in binary64, in the coordinates of the rays except for
- *   a factor. Its errors are smaller than those from d by the ratio of 2^-53 to 2^-24.
+ * - intersect() computes its edge functions in binary64, in the coordinates of the samples except
+ *   for a factor. Its errors are smaller than those from d by the ratio of 2^-53 to 2^-24.
  *
  * 4 d (w + h + 2 d) + 2^-20 w h is larger than the sum of the three. Triangles much larger than
  * their box (they reach beyond the image) are always uncertain, and so are triangles that are not
@@ -43,20 +43,20 @@
 
 namespace lambent
 {
-/// A triangle whose box is exact and contains few rays.
+/// A triangle whose box is exact and contains few samples.
 struct SmallTriangle
 {
   std::uint32_t number;
   std::uint32_t part;      ///< index of its surface in the scene
   std::int32_t corners[3]; ///< point numbers in that surface
-  std::int32_t i, j;       ///< the lower left ray of the box
+  std::int32_t i, j;       ///< the lower left sample of the box
 };
 
 /// Small triangles with boxes of one size, from surfaces without culling.
 struct SmallTriangles
 {
   static constexpr int capacity = 32;
-  /// Boxes of at most this many rays along each axis are small.
+  /// Boxes of at most this many samples along each axis are small.
   static constexpr int side = 8;
 
   int count = 0;
@@ -74,7 +74,7 @@ struct CoverageBatch
   alignas(64) double points[9][SmallTriangles::capacity];
 };
 
-/// A triangle by its place in the batch, and a ray of its box, counted from the lower left one.
+/// A triangle by its place in the batch, and a sample of its box, counted from the lower left one.
 struct CoveredRay
 {
   std::uint32_t bits;
@@ -85,10 +85,10 @@ struct CoveredRay
   int j() const { return this->bits >> 16; }
 };
 
-/// The rays that the triangles of a batch cover, certainly or perhaps.
+/// The samples that the triangles of a batch cover, certainly or perhaps.
 struct CoveredRays
 {
-  // Every ray of every box of a batch, and room for a vector.
+  // Every sample of every box of a batch, and room for a vector.
   static constexpr int capacity =
     SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
 

@@ -122,7 +122,7 @@ Products acrossRow(const Lanes& t, Floats pv)
     hn::Mul(hn::Sub(t.bu, t.au), hn::Sub(pv, t.av)) };
 }
 
-/// Appends the rays that the mask selects.
+/// Appends the samples that the mask selects.
 int append(FloatMask mask, hn::Vec<U> rays, CoveredRay* out)
 {
   static_assert(sizeof(CoveredRay) == sizeof(std::uint32_t), "a lane is a ray");

@@ -29,7 +29,7 @@ struct LatticeBoxes
   LatticePosition first[capacity], end[capacity];
   std::uint32_t isInexact[capacity];
 
-  /// The triangles with a ray in their box, by their place in the batch.
+  /// The triangles with a sample in their box, by their place in the batch.
   int found = 0;
   std::uint32_t triangles[capacity];
 
@@ -44,7 +44,7 @@ struct LatticeBoxes
 bool addCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes);
 
-/// Computes the output. The ends are those of raysBetween() before groups of rays are expanded.
+/// Computes the output. The ends are those of raysBetween() before groups of samples are expanded.
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes);
 }
 

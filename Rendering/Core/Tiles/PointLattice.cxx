@@ -6,11 +6,11 @@ namespace lambent
 {
 namespace
 {
-// The largest number of groups of rays: 2k + 1 stays below "not finite".
+// The largest number of groups of samples: 2k + 1 stays below "not finite".
 constexpr int maximumGroups = 32000;
 
-// Positions are computed from values of up to |origin| + count rays, with a few roundings of 2^-53
-// each.
+// Positions are computed from values of up to |origin| + count samples, with a few roundings of
+// 2^-53 each.
 double marginOf(double origin, int count)
 {
   return std::ldexp(std::fabs(origin) + count, -44) + std::ldexp(1.0, -30);

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief where points fall between the rays, in four bytes per point
+ * @brief where points fall between the samples, in four bytes per point
  *
- * Along each axis, the position of a point is the number k of rays to the left of (or below) its
- * projection. A triangle can only be hit by the rays from the smallest k of its three points up to,
- * but not including, the largest. If all three have the same k, the triangle lies between the rays.
- * It is dropped after three small reads, without reading its coordinates again.
+ * Along each axis, the position of a point is the number k of samples to the left of (or below) its
+ * projection. Only the rays of samples from the smallest k of its three points up to, but not
+ * including, the largest can hit a triangle. If all three have the same k, the triangle lies
+ * between the samples. It is dropped after three small reads, without reading its coordinates
+ * again.
  *
- * If a projection is so close to a ray that rounding could put it on either side, its position is k
- * or k + 1. The stored number is 2k, or 2k + 1 for "k or k + 1". The first ray of a triangle is
- * then min >> 1, and the end (max + 1) >> 1. Images too large for 15 bits are counted in groups of
- * 2^shift rays.
+ * If a projection is so close to a sample that rounding could put it on either side, its position
+ * is k or k + 1. The stored number is 2k, or 2k + 1 for "k or k + 1". The first sample of a
+ * triangle is then min >> 1, and the end (max + 1) >> 1. Images too large for 15 bits are counted
+ * in groups of 2^shift samples.
  *
  * The lattice may keep too many triangles, never too few: intersect() decides the hits. Its
  * bounding-box condition makes the range exact. The sign of a sheared vertex a.x - x a.w is right
@@ -43,9 +44,9 @@ class PointLattice
 public:
   struct Axis
   {
-    double origin; ///< the image plane's origin, in rays from the first of the window
-    double margin; ///< in rays
-    int count;     ///< number of rays
+    double origin; ///< the image plane's origin, in samples from the first of the window
+    double margin; ///< in samples
+    int count;     ///< number of samples
   };
 
   PointLattice(const CameraFrame& frame, const Window& window);
@@ -58,8 +59,8 @@ public:
 
   LatticePosition locate(const Vec3& point) const;
 
-  /// The largest difference, in rays, between the exact projection of a point on or near the image
-  /// and that projection rounded to float.
+  /// The largest difference, in samples, between the exact projection of a point on or near the
+  /// image and that projection rounded to float.
   float screenError() const
   {
     const double largest = 64.0 + std::max(this->Columns.count, this->Rows.count);
@@ -67,7 +68,7 @@ public:
   }
 
   /// Whether positions are meaningful. They are not if the window lies so far from the centre of
-  /// the image that rounding could move a position by a ray, or if the size of a pixel makes
+  /// the image that rounding could move a position by a sample, or if the size of a pixel makes
   /// products of edge functions underflow or overflow.
   bool isPrecise() const
   {
@@ -75,8 +76,8 @@ public:
       this->RaysPerUnit < 1e60;
   }
 
-  /// The rays that can hit a triangle with points at a, b and c, none of which is "anywhere" or
-  /// "not finite".
+  /// The samples whose rays can hit a triangle with points at a, b and c, none of which is
+  /// "anywhere" or "not finite".
   Window raysBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
     return this->raysFrom(
@@ -86,7 +87,7 @@ public:
         static_cast<std::uint16_t>((std::max(a.row, std::max(b.row, c.row)) + 1) >> 1) });
   }
 
-  /// The rays of the groups from first up to, but not including, end.
+  /// The samples of the groups from first up to, but not including, end.
   Window raysFrom(LatticePosition first, LatticePosition end) const
   {
     if (this->Shift == 0)
@@ -97,8 +98,8 @@ public:
       first.row << this->Shift, std::min(end.row << this->Shift, this->Rows.count) };
   }
 
-  /// Whether raysBetween() gives exactly the rays that pass the box test of intersect(): no
-  /// position is "k or k + 1", and rays are not grouped.
+  /// Whether raysBetween() gives exactly the samples that pass the box test of intersect(): no
+  /// position is "k or k + 1", and samples are not grouped.
   bool isExact(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
     return this->Shift == 0 && !((a.column | b.column | c.column | a.row | b.row | c.row) & 1);

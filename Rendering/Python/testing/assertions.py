@@ -55,8 +55,9 @@ def assert_matches_baseline(image_or_filter, name, tolerance=0, metric="max"):
     picture = as_image(image_or_filter)
     if not fits_png(picture):
         raise ValueError(
-            "a baseline is a PNG, which holds 1 to 4 components of unsigned char or unsigned short;"
-            " this picture has %d of %s; for the ray tracer's, SetOutputScalarTypeToUnsignedChar()"
+            "a baseline is a PNG, which holds 1 to 4 components of unsigned char or unsigned short,"
+            " but this picture has %d of %s; with the ray tracer, call"
+            " SetOutputScalarTypeToUnsignedChar()"
             % (picture.GetNumberOfScalarComponents(), picture.GetScalarTypeAsString()))
     result = {"baseline": baseline, "message": _judge(run, comparison, picture, baseline)}
     if comparison.GetPassed():
@@ -67,8 +68,8 @@ def assert_matches_baseline(image_or_filter, name, tolerance=0, metric="max"):
         result["outcome"] = "failed"
         result["accept"] = run.how_to_accept
         if baseline in run.accepted:
-            result["message"] = ("this run has accepted another picture of this name; give each"
-                                 " its own")
+            result["message"] = ("this run has accepted another picture under this name; give each"
+                                 " its own name")
         stem = os.path.splitext(os.path.basename(baseline))[0]
         _save(result, os.path.join(run.failures(), stem), picture=picture,
               difference=comparison.GetOutput())
@@ -80,13 +81,13 @@ def baseline_file(folder, name):
     """The path of a baseline. Raises ValueError for a name that could lead out of the folder, or
     that some systems do not allow."""
     if not isinstance(name, str):
-        raise TypeError("the name of a baseline is a string, not %r" % (name,))
+        raise TypeError("the name of a baseline must be a string, not %r" % (name,))
     parts = re.sub(r"\.png$", "", name).split("/")
     for part in parts:
         if not re.fullmatch(r'(?!\.)[^\\:*?"<>|\x00-\x1f]*(?<![. ])', part) or not part:
             raise ValueError(
-                "%r cannot be the name of a baseline: it is a file's name, or several joined by"
-                " '/', none of them empty, beginning or ending with a dot, or with one of"
+                "%r cannot be the name of a baseline: a name has one or more parts joined by '/';"
+                " no part may be empty, begin with a dot, end with a dot or a space, or contain any of"
                 " \\:*?\"<>|"
                 % name)
     return os.path.join(folder, *parts) + ".png"
@@ -95,10 +96,10 @@ def baseline_file(folder, name):
 def _comparison(tolerance, metric):
     """A comparison with these settings, not run yet."""
     if not isinstance(metric, str) or metric not in METRICS:
-        raise ValueError("the metric is %r; it can be %s"
+        raise ValueError("the metric is %r; it must be one of %s"
                          % (metric, ", ".join(map(repr, METRICS))))
     if not isinstance(tolerance, numbers.Real) or not 0 <= tolerance <= sys.float_info.max:
-        raise ValueError("the tolerance is %r; it is a number, 0 or larger" % (tolerance,))
+        raise ValueError("the tolerance is %r; it must be a number, 0 or larger" % (tolerance,))
     if metric == "ssim" and not vtkLambentImageComparison.HasStructuralSimilarity():
         raise RuntimeError("this VTK cannot compute the structural similarity; VTK 9.4 can")
     comparison = vtkLambentImageComparison()
@@ -140,8 +141,8 @@ def _refuse_baseline(picture, baseline):
     except OSError:  # one of them is missing
         pass
     if is_same:
-        raise ValueError("the picture '%s' is the baseline itself; give the one that is to be"
-                         " compared with it" % path)
+        raise ValueError("the picture '%s' is the baseline itself; pass the picture to compare"
+                         " with it" % path)
 
 
 def _accept(run, result, picture):

@@ -29,12 +29,12 @@ def as_image(picture):
         image = _image_of_array(picture)
     else:
         raise TypeError(
-            "a picture is a vtkImageData, a vtkAlgorithm that makes one, the path of a PNG or an"
-            " array, not %s" % _kind(picture))
+            "a picture must be a vtkImageData, a vtkAlgorithm that outputs one, the path of a PNG,"
+            " or an array, not %s" % _kind(picture))
     if image.GetPointData().GetScalars() is None:
         raise ValueError("the picture (%s) is empty: it has no point scalars" % _kind(picture))
     if image.GetDimensions()[2] != 1:
-        raise ValueError("the picture has %d slices; give one, as by vtkExtractVOI"
+        raise ValueError("the picture has %d slices; extract one, for example with vtkExtractVOI"
                          % image.GetDimensions()[2])
     own = vtkImageData()
     own.ShallowCopy(image)  # unaffected by later updates of an algorithm
@@ -51,8 +51,6 @@ def read_png(path):
         problem = reader.GetMessage()
         if problem == "it is not a PNG file":
             raise ValueError("'%s' is not a PNG file" % path)
-        if problem.startswith("the file is "):
-            problem = "it is a PNG file that is damaged or cut short: " + problem
         raise ValueError("'%s' cannot be read: %s" % (path, problem))
     reader.Update()
     return reader.GetOutput()
@@ -121,7 +119,7 @@ def _output_of(algorithm):
     if errors:
         raise RuntimeError("%s: %s" % (name, errors[0]))
     if not is_current:
-        raise RuntimeError("%s could not be updated; what VTK has written tells why" % name)
+        raise RuntimeError("%s could not be updated; see VTK's output" % name)
     output = algorithm.GetOutputDataObject(0)
     if not isinstance(output, vtkImageData):
         raise TypeError("the output of %s is %s, not a vtkImageData"
@@ -134,16 +132,16 @@ def _image_of_array(picture):
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     if numpy.ma.is_masked(picture):
-        raise ValueError("some of the array's values are masked; fill them, as by filled(0)")
+        raise ValueError("some of the array's values are masked; fill them, for example with filled(0)")
     array = numpy.asarray(picture)
     native = array.dtype.newbyteorder("=")  # byte order does not change the values
     if native not in (numpy.uint8, numpy.uint16):
-        raise TypeError("the array's values are %s; a picture's are uint8 (0 to 255) or uint16"
+        raise TypeError("the array's values are %s; they must be uint8 (0 to 255) or uint16"
                         % array.dtype)
     if array.ndim == 2:
         array = array[:, :, numpy.newaxis]
     if array.ndim != 3 or not 1 <= array.shape[2] <= 4 or 0 in array.shape:
-        raise ValueError("the array's shape is %s; a picture's is (height, width) or (height,"
+        raise ValueError("the array's shape is %s; it must be (height, width) or (height,"
                          " width, components), with 1 to 4 components" % (array.shape,))
     height, width, components = array.shape
     image = vtkImageData()

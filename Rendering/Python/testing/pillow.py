@@ -31,6 +31,6 @@ def in_plain_colours(picture):
         return picture.convert("RGB")
     if mode not in _PLAIN + _NUMBERS:
         raise TypeError(
-            "the image's mode is %s; convert it to RGB, as by %s, since its values are no colours by"
-            " themselves" % (mode, "PIL.ImageCms" if mode == "LAB" else "convert('RGB')"))
+            "the image's mode is %s; convert it to RGB, for example with %s, since its values are not"
+            " RGB colours" % (mode, "PIL.ImageCms" if mode == "LAB" else "convert('RGB')"))
     return picture

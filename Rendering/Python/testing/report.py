@@ -20,7 +20,7 @@ def write_report(path, results):
     if os.path.isfile(path) and os.path.getsize(path):
         with open(path, "rb") as file:
             if file.read(len(MARK)) != MARK:
-                raise FileExistsError("'%s' is there, and is no report; choose another name" % path)
+                raise FileExistsError("'%s' exists and is not a report; choose another name" % path)
     page = string.Template(_text("report.html"))
     failed = sum(result["outcome"] == "failed" for result in results)
     content = page.substitute(

@@ -18,7 +18,7 @@ class EnvironmentRun:
 
     def __init__(self):
         self.accepted = set()  # the baselines that this run has written
-        self.pending = {}  # pictures and bytes still to write: always empty
+        self.pending = {}  # pictures and bytes still to write; always empty
 
     @property
     def updates(self):
