@@ -26,25 +26,16 @@ template <typename Reflecting, typename Keep>
 void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
   const Reflecting& reflectionOf, const Keep& keep, SampleBatch& batch)
 {
-  constexpr auto step = static_cast<int>(lanes);
-  for (int place = range.first / step * step; place < range.end; place += step)
-  {
-    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
-    const int i = place % SampleBatch::pieceSize;
-    const Runs runs(batch.run + place);
-    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
-    if (i >= piece.width || hn::AllFalse(d, isWanted))
+  forSamples(range, batch,
+    [&](int place, const Runs& runs, M isWanted, V x, V y)
     {
-      continue;
-    }
-    const VectorSurfacePoint point =
-      points.at(runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
-    keep(point, isWanted, place);
-    const Vector3 color = lit(light, reflectionOf(runs), point);
-    hn::BlendedStore(color.x, isWanted, d, batch.colors[0] + place);
-    hn::BlendedStore(color.y, isWanted, d, batch.colors[1] + place);
-    hn::BlendedStore(color.z, isWanted, d, batch.colors[2] + place);
-  }
+      const VectorSurfacePoint point = points.at(runs, x, y);
+      keep(point, isWanted, place);
+      const Vector3 color = lit(light, reflectionOf(runs), point);
+      hn::BlendedStore(color.x, isWanted, d, batch.colors[0] + place);
+      hn::BlendedStore(color.y, isWanted, d, batch.colors[1] + place);
+      hn::BlendedStore(color.z, isWanted, d, batch.colors[2] + place);
+    });
 }
 
 template <typename Keep>

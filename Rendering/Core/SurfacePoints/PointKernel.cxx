@@ -24,21 +24,9 @@ void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, 
 {
   const VectorTrianglePoints points(trianglePoints, range, batch);
   const Vector3 eye = set(trianglePoints.mesh().frame().eye);
-  constexpr auto step = static_cast<int>(lanes);
-  for (int place = range.first / step * step; place < range.end; place += step)
-  {
-    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
-    const int i = place % SampleBatch::pieceSize;
-    const Runs runs(batch.run + place);
-    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
-    if (i >= piece.width || hn::AllFalse(d, isWanted))
-    {
-      continue;
-    }
-    const VectorSurfacePoint point =
-      points.at(runs, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
-    store(point, eye, isWanted, result, place);
-  }
+  forSamples(range, batch,
+    [&](int place, const Runs& runs, M isWanted, V x, V y)
+    { store(points.at(runs, x, y), eye, isWanted, result, place); });
 }
 }
 }

@@ -13,6 +13,7 @@
 #define lambent_VectorSurfacePoint_h
 #endif
 
+#include "RunRange.h"
 #include "SampleBatch.h"
 #include "VectorTriples.h"
 
@@ -57,6 +58,25 @@ private:
   std::int64_t First;
   decltype(hn::IndicesFromVec(d, hn::Zero(di))) Places;
 };
+
+/// Calls body(place, runs, isWanted, x, y) for each vector of samples of a range, unless none of
+/// their runs is wanted.
+template <typename Body>
+HWY_INLINE void forSamples(const RunRange& range, const SampleBatch& batch, const Body& body)
+{
+  constexpr auto step = static_cast<int>(lanes);
+  for (int place = range.first / step * step; place < range.end; place += step)
+  {
+    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
+    const int i = place % SampleBatch::pieceSize;
+    const Runs runs(batch.run + place);
+    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
+    if (i < piece.width && !hn::AllFalse(d, isWanted))
+    {
+      body(place, runs, isWanted, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
+    }
+  }
+}
 }
 }
 }
