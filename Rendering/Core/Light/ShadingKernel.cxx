@@ -26,16 +26,20 @@ template <typename Reflecting, typename Keep>
 void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
   const Reflecting& reflectionOf, const Keep& keep, SampleBatch& batch)
 {
-  forSamples(range, batch,
-    [&](int place, const Runs& runs, M isWanted, V x, V y)
+  for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
+  {
+    const VectorSamples samples(batch, place);
+    if (samples.isEmpty())
     {
-      const VectorSurfacePoint point = points.at(runs, x, y);
-      keep(point, isWanted, place);
-      const Vector3 color = lit(light, reflectionOf(runs), point);
-      hn::BlendedStore(color.x, isWanted, d, batch.colors[0] + place);
-      hn::BlendedStore(color.y, isWanted, d, batch.colors[1] + place);
-      hn::BlendedStore(color.z, isWanted, d, batch.colors[2] + place);
-    });
+      continue;
+    }
+    const VectorSurfacePoint point = points.at(samples.runs, samples.x(), samples.y());
+    keep(point, samples.isWanted, place);
+    const Vector3 color = lit(light, reflectionOf(samples.runs), point);
+    hn::BlendedStore(color.x, samples.isWanted, d, batch.colors[0] + place);
+    hn::BlendedStore(color.y, samples.isWanted, d, batch.colors[1] + place);
+    hn::BlendedStore(color.z, samples.isWanted, d, batch.colors[2] + place);
+  }
 }
 
 template <typename Keep>

@@ -24,9 +24,15 @@ void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, 
 {
   const VectorTrianglePoints points(trianglePoints, range, batch);
   const Vector3 eye = set(trianglePoints.mesh().frame().eye);
-  forSamples(range, batch,
-    [&](int place, const Runs& runs, M isWanted, V x, V y)
-    { store(points.at(runs, x, y), eye, isWanted, result, place); });
+  for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
+  {
+    const VectorSamples samples(batch, place);
+    if (samples.isEmpty())
+    {
+      continue;
+    }
+    store(points.at(samples.runs, samples.x(), samples.y()), eye, samples.isWanted, result, place);
+  }
 }
 }
 }

@@ -59,24 +59,35 @@ private:
   decltype(hn::IndicesFromVec(d, hn::Zero(di))) Places;
 };
 
-/// Calls body(place, runs, isWanted, x, y) for each vector of samples of a range, unless none of
-/// their runs is wanted.
-template <typename Body>
-HWY_INLINE void forSamples(const RunRange& range, const SampleBatch& batch, const Body& body)
+/// The samples of a batch from a place on, one in each lane.
+class VectorSamples
 {
-  constexpr auto step = static_cast<int>(lanes);
-  for (int place = range.first / step * step; place < range.end; place += step)
+public:
+  VectorSamples(const SampleBatch& batch, int place)
+    : runs(batch.run + place)
+    , isWanted(hn::Gt(runs(batch.isWanted), hn::Zero(d)))
+    , Piece(batch.pieces[place / SampleBatch::pieceSize])
+    , I(place % SampleBatch::pieceSize)
   {
-    const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
-    const int i = place % SampleBatch::pieceSize;
-    const Runs runs(batch.run + place);
-    const M isWanted = hn::Gt(runs(batch.isWanted), hn::Zero(d));
-    if (i < piece.width && !hn::AllFalse(d, isWanted))
-    {
-      body(place, runs, isWanted, hn::LoadU(d, piece.xs + i), hn::Set(d, piece.y));
-    }
   }
-}
+
+  /// The first place of the vectors that contain the samples of a range.
+  static int begin(const RunRange& range)
+  {
+    return range.first / static_cast<int>(lanes) * static_cast<int>(lanes);
+  }
+
+  bool isEmpty() const { return this->I >= this->Piece.width || hn::AllFalse(d, this->isWanted); }
+  V x() const { return hn::LoadU(d, this->Piece.xs + this->I); }
+  V y() const { return hn::Set(d, this->Piece.y); }
+
+  const Runs runs;
+  const M isWanted;
+
+private:
+  const SamplePiece& Piece;
+  const int I;
+};
 }
 }
 }
