@@ -111,13 +111,6 @@ public:
     return *part;
   }
 
-  const Part& part(std::size_t number) const { return this->Parts[number]; }
-  /// The index of a part among the scene's surfaces.
-  std::size_t numberOf(const Part& part) const
-  {
-    return static_cast<std::size_t>(&part - this->Parts.data());
-  }
-
   /// Splits [begin, end), counted over all surfaces, where one surface ends and the next begins,
   /// and calls body(part, begin, end) for each piece. There, begin and end count within the
   /// surface.

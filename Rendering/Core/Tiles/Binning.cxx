@@ -31,6 +31,38 @@ bool addFewCorners(const Surface& surface, std::size_t begin, std::size_t end, s
   boxes.count += isSound ? static_cast<int>(end - begin) : 0;
   return isSound;
 }
+
+/// Out of line, so that the loop over small triangles keeps its registers.
+HWY_NOINLINE void insert(std::uint32_t triangle, const Window& rays, bool isExact, Bins& bins)
+{
+  bins.insert(triangle, rays, isExact);
+}
+
+/// Copies the corners of the triangles [begin, end). The loop is short, so that the processor
+/// fetches the points of several triangles at a time.
+template <typename Coordinate>
+void loadCorners(
+  const SmallTriangles& small, int begin, int end, const Coordinate* points, CoverageBatch& batch)
+{
+  for (int k = begin; k < end; ++k)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Coordinate* point =
+        points + 3 * static_cast<std::size_t>(small.items[k].corners[corner]);
+      batch.points[3 * corner][k] = point[0];
+      batch.points[3 * corner + 1][k] = point[1];
+      batch.points[3 * corner + 2][k] = point[2];
+    }
+  }
+}
+
+void loadCorners(
+  const SmallTriangles& small, int begin, int end, const TupleSpan& points, CoverageBatch& batch)
+{
+  points.isDouble ? loadCorners(small, begin, end, static_cast<const double*>(points.data), batch)
+                  : loadCorners(small, begin, end, static_cast<const float*>(points.data), batch);
+}
 }
 
 void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
@@ -102,7 +134,6 @@ void Binning::binBoxes(BinningMemory& memory) const
 struct Binning::BoxedPartView
 {
   TupleSpan points;
-  std::uint32_t number;
   std::uint32_t first; ///< the triangle of place 0
   std::int32_t offset;
   bool isCulling;
@@ -111,7 +142,7 @@ struct Binning::BoxedPartView
 Binning::BoxedPartView Binning::viewOf(const BoxedPart& boxed) const
 {
   const SceneMesh::Part& part = *boxed.part;
-  return { part.points(), static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(part)),
+  return { part.points(),
     static_cast<std::uint32_t>(part.firstTriangle + boxed.begin - boxed.first), boxed.offset,
     part.isCulling() };
 }
@@ -125,6 +156,7 @@ void Binning::binFound(BinningMemory& memory) const
   memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
   memory.part = boxed->part;
   BoxedPartView view = this->viewOf(*boxed);
+  const bool isUngrouped = this->Lattice.shift() == 0;
   for (int k = 0; k < boxes.found; ++k)
   {
     const std::uint32_t place = boxes.triangles[k];
@@ -136,11 +168,12 @@ void Binning::binFound(BinningMemory& memory) const
       }
       view = this->viewOf(*boxed);
     }
-    const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
-    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
     const std::uint32_t triangle = view.first + place;
-    if (isExact && !view.isCulling && box.width() <= SmallTriangles::side &&
-      box.height() <= SmallTriangles::side)
+    const LatticePosition first = boxes.first[place], end = boxes.end[place];
+    const int width = end.column - first.column, height = end.row - first.row;
+    const bool isExact = isUngrouped && boxes.isInexact[place] == 0;
+    if (isExact && !view.isCulling && width <= SmallTriangles::side &&
+      height <= SmallTriangles::side)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
@@ -149,12 +182,11 @@ void Binning::binFound(BinningMemory& memory) const
         hwy::Prefetch(view.points.at(corners[corner])); // for flush()
       }
       this->addSmall(
-        { triangle, view.number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
-        box.width(), box.height(), memory);
+        { triangle, { corners[0], corners[1], corners[2] }, first }, width, height, memory);
     }
     else
     {
-      memory.bins.insert(triangle, box, isExact);
+      insert(triangle, this->Lattice.raysFrom(first, end), isExact, memory.bins);
     }
   }
 }
@@ -208,33 +240,20 @@ void Binning::load(int width, int height, BinningMemory& memory) const
   batch.count = small.count;
   batch.width = width;
   batch.height = height;
-  const auto loadFrom = [&](const auto& pointsOf)
+  for (int k = 0; k < small.count; ++k)
   {
-    for (int k = 0; k < small.count; ++k)
-    {
-      const SmallTriangle& triangle = small.items[k];
-      batch.triangles[k] = triangle.number;
-      batch.i[k] = triangle.i;
-      batch.j[k] = triangle.j;
-      const TupleSpan points = pointsOf(triangle);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const Vec3 p = points[triangle.corners[corner]];
-        batch.points[3 * corner][k] = p.x;
-        batch.points[3 * corner + 1][k] = p.y;
-        batch.points[3 * corner + 2][k] = p.z;
-      }
-    }
-  };
-  if (memory.isMixed)
-  {
-    loadFrom([this](const SmallTriangle& triangle)
-      { return this->Mesh.mesh().part(triangle.part).points(); });
+    batch.triangles[k] = small.items[k].number;
+    batch.i[k] = small.items[k].first.column;
+    batch.j[k] = small.items[k].first.row;
   }
-  else
+  if (!memory.isMixed)
   {
-    const TupleSpan points = memory.part->points();
-    loadFrom([&points](const SmallTriangle&) { return points; });
+    loadCorners(small, 0, small.count, memory.part->points(), batch);
+    return;
+  }
+  for (int k = 0; k < small.count; ++k)
+  {
+    loadCorners(small, k, k + 1, this->Mesh.mesh().partOf(small.items[k].number).points(), batch);
   }
 }
 
@@ -246,13 +265,14 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
   const CoverageBatch& batch = memory.batch;
   findCoverage(batch, this->Lattice, covered);
   small.count = 0;
-  for (int k = 0; k < covered.certain; ++k)
-  {
-    const CoveredRay& ray = covered.certainRays[k];
-    const int t = ray.triangle();
-    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
-    memory.bins.insertHit(i, j, batch.triangles[t], { covered.lows[t], covered.highs[t] });
-  }
+  memory.bins.insertHits(covered.certain,
+    [&](int k) -> Bins::SampleHit
+    {
+      const CoveredRay ray = covered.certainRays[k];
+      const int t = ray.triangle();
+      return { batch.i[t] + ray.i(), batch.j[t] + ray.j(), batch.triangles[t],
+        { covered.lows[t], covered.highs[t] } };
+    });
   for (int k = 0; k < covered.uncertain; ++k)
   {
     const CoveredRay& ray = covered.uncertainRays[k];
@@ -263,7 +283,7 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
     if (this->Mesh.hits(
           triangle, this->Frame.x(this->Part.i0 + i), this->Frame.y(this->Part.j0 + j), depth))
     {
-      memory.bins.insertHit(i, j, triangle, nearnessOf(depth, this->Frame.parallel));
+      memory.bins.insertHit({ i, j, triangle, nearnessOf(depth, this->Frame.parallel) });
     }
   }
 }
