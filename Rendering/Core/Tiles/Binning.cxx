@@ -17,15 +17,15 @@ constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t fewTriangles = 8;
 
 /// Does the same as addCorners().
-bool addFewCorners(const Surface& surface, std::size_t begin, std::size_t end, std::int32_t offset,
-  LatticeBoxes& boxes)
+bool addFewCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes)
 {
   bool isSound = true;
   std::int32_t* out = boxes.corners + 3 * boxes.count;
   for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner)
   {
-    const std::uint64_t point = surface.corners[corner];
-    isSound = isSound && point < surface.points.size;
+    const std::uint64_t point = corners[corner];
+    isSound = isSound && point < pointCount;
     *out++ = static_cast<std::int32_t>(point) + offset;
   }
   boxes.count += isSound ? static_cast<int>(end - begin) : 0;
@@ -85,8 +85,7 @@ void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) con
 void Binning::add(
   const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
-  const Surface& surface = *part.surface;
-  const std::size_t pointCount = surface.points.size;
+  const std::size_t pointCount = part.pointCount();
   LatticeBoxes& boxes = memory.boxes;
   std::size_t offset =
     memory.parts.empty() ? 0 : part.firstPoint - memory.parts.front().part->firstPoint;
@@ -99,8 +98,8 @@ void Binning::add(
   const auto offset32 = static_cast<std::int32_t>(offset);
   const bool isFew = end - begin < fewTriangles;
   if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
-    !(isFew ? addFewCorners(surface, begin, end, offset32, boxes)
-            : addCorners(surface.corners, begin, end, pointCount, offset32, boxes)))
+    !(isFew ? addFewCorners(part.corners(), begin, end, pointCount, offset32, boxes)
+            : addCorners(part.corners(), begin, end, pointCount, offset32, boxes)))
   {
     for (std::size_t t = begin; t < end; ++t)
     {
