@@ -16,7 +16,7 @@
  * If the bins of step 3 fill the memory they are given, step 4 casts what they hold, the tiles keep
  * their hits, and step 3 continues.
  *
- * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 32 bytes per
+ * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 48 bytes per
  * larger triangle, in about Settings::binPages pages at most.
  */
 #ifndef lambent_Render_h

@@ -4,6 +4,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace lambent
@@ -32,11 +33,8 @@ bool addFewCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   return isSound;
 }
 
-/// Out of line, so that the loop over small triangles keeps its registers.
-HWY_NOINLINE void insert(std::uint32_t triangle, const Window& rays, bool isExact, Bins& bins)
-{
-  bins.insert(triangle, rays, isExact);
-}
+/// Overlaps all others.
+constexpr float anyNearness = std::numeric_limits<float>::infinity();
 
 /// Copies the corners of the triangles [begin, end). The loop is short, so that the processor
 /// fetches the points of several triangles at a time.
@@ -132,6 +130,7 @@ void Binning::binBoxes(BinningMemory& memory) const
 /// What binFound() needs of a part, in local variables.
 struct Binning::BoxedPartView
 {
+  const SceneMesh::Part* part;
   TupleSpan points;
   std::uint32_t first; ///< the triangle of place 0
   std::int32_t offset;
@@ -141,9 +140,30 @@ struct Binning::BoxedPartView
 Binning::BoxedPartView Binning::viewOf(const BoxedPart& boxed) const
 {
   const SceneMesh::Part& part = *boxed.part;
-  return { part.points(),
+  return { &part, part.points(),
     static_cast<std::uint32_t>(part.firstTriangle + boxed.begin - boxed.first), boxed.offset,
     part.isCulling() };
+}
+
+/// Calls body(place, view) for places in the batch, in order.
+template <bool IsOnePart, typename Body>
+void Binning::forPlaces(
+  const std::uint32_t* places, int count, const BinningMemory& memory, const Body& body) const
+{
+  const BoxedPart* boxed = memory.parts.data();
+  BoxedPartView view = this->viewOf(*boxed);
+  for (int k = 0; k < count; ++k)
+  {
+    if (!IsOnePart && places[k] >= boxed->end)
+    {
+      while (places[k] >= boxed->end)
+      {
+        ++boxed;
+      }
+      view = this->viewOf(*boxed);
+    }
+    body(places[k], view);
+  }
 }
 
 /// Bins the triangles that have a ray in their box.
@@ -151,58 +171,59 @@ template <bool IsOnePart>
 void Binning::binFound(BinningMemory& memory) const
 {
   const LatticeBoxes& boxes = memory.boxes;
-  const BoxedPart* boxed = memory.parts.data();
-  memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
-  memory.part = boxed->part;
-  BoxedPartView view = this->viewOf(*boxed);
+  const SceneMesh::Part* part = memory.parts.front().part;
+  memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != part);
+  memory.part = part;
   const bool isUngrouped = this->Lattice.shift() == 0;
-  for (int k = 0; k < boxes.found; ++k)
-  {
-    const std::uint32_t place = boxes.triangles[k];
-    if (!IsOnePart && place >= boxed->end)
-    {
-      while (place >= boxed->end)
-      {
-        ++boxed;
-      }
-      view = this->viewOf(*boxed);
-    }
-    const std::uint32_t triangle = view.first + place;
-    const LatticePosition first = boxes.first[place], end = boxes.end[place];
-    const int width = end.column - first.column, height = end.row - first.row;
-    const bool isExact = isUngrouped && boxes.isInexact[place] == 0;
-    if (isExact && !view.isCulling && width <= SmallTriangles::side &&
-      height <= SmallTriangles::side)
+  std::uint32_t large[LatticeBoxes::capacity];
+  int largeCount = 0;
+  this->forPlaces<IsOnePart>(boxes.triangles, boxes.found, memory,
+    [&](std::uint32_t place, const BoxedPartView& view)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
         corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : view.offset);
-        hwy::Prefetch(view.points.at(corners[corner])); // for flush()
+        hwy::Prefetch(view.points.at(corners[corner])); // for flush() and insert()
       }
-      this->addSmall(
-        { triangle, { corners[0], corners[1], corners[2] }, first }, width, height, memory);
-    }
-    else
-    {
-      insert(triangle, this->Lattice.raysFrom(first, end), isExact, memory.bins);
-    }
-  }
+      const LatticePosition first = boxes.first[place], end = boxes.end[place];
+      const int width = end.column - first.column, height = end.row - first.row;
+      if (isUngrouped && boxes.isInexact[place] == 0 && !view.isCulling &&
+        width <= SmallTriangles::side && height <= SmallTriangles::side)
+      {
+        this->addSmall({ view.first + place, { corners[0], corners[1], corners[2] }, first }, width,
+          height, memory);
+      }
+      else
+      {
+        large[largeCount++] = place;
+      }
+    });
+  this->forPlaces<IsOnePart>(large, largeCount, memory,
+    [&](std::uint32_t place, const BoxedPartView& view) { this->insert(place, view, memory); });
 }
 
 void Binning::binUnplaced(BinningMemory& memory) const
 {
+  this->forPlaces<false>(memory.boxes.unplacedTriangles, memory.boxes.unplaced, memory,
+    [&](std::uint32_t place, const BoxedPartView& view)
+    { this->binPlainly(*view.part, view.first + place - view.part->firstTriangle, memory); });
+}
+
+/// Inserts a triangle with many rays, or with a box that is not exact.
+void Binning::insert(std::uint32_t place, const BoxedPartView& view, BinningMemory& memory) const
+{
   const LatticeBoxes& boxes = memory.boxes;
-  const BoxedPart* boxed = memory.parts.data();
-  for (int k = 0; k < boxes.unplaced; ++k)
+  const auto depthOf = [&](std::size_t corner)
   {
-    const std::uint32_t place = boxes.unplacedTriangles[k];
-    while (place >= boxed->end)
-    {
-      ++boxed;
-    }
-    this->binPlainly(*boxed->part, boxed->begin + (place - boxed->first), memory);
-  }
+    const std::int32_t point = boxes.corners[3 * place + corner] - view.offset;
+    return this->Frame.toFrame(view.points[point]).z;
+  };
+  const double nearest = std::min({ depthOf(0), depthOf(1), depthOf(2) });
+  memory.bins.insert(view.first + place,
+    this->Lattice.raysFrom(boxes.first[place], boxes.end[place]),
+    this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
+    nearnessOf(nearest, this->Frame.parallel).high);
 }
 
 void Binning::addSmall(
@@ -309,7 +330,7 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
     const Window rays = this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
     if (!rays.empty())
     {
-      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
+      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c), anyNearness);
     }
   }
   else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
@@ -321,7 +342,7 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
   }
   else if (!this->Culling || !this->isBehindEye(surface.points, corners))
   {
-    bins.insert(triangle, this->Grid.whole(), false);
+    bins.insert(triangle, this->Grid.whole(), false, anyNearness);
   }
 }
 

@@ -30,6 +30,7 @@ struct BinEntry
 {
   std::uint32_t triangle;
   std::uint8_t i0, i1, j0, j1;
+  float nearest; ///< at least the nearness of all its hits
 };
 
 /// A certain hit.
@@ -158,9 +159,10 @@ public:
     this->Hits.clear();
   }
 
-  /// Adds a triangle to the tiles that contain its rays. If the box of rays is exact, these may be
-  /// finest tiles, so all boxes there are exact. Otherwise they are tiles of a coarser level.
-  void insert(std::uint32_t triangle, const Window& rays, bool isExact)
+  /// Adds a triangle to the tiles that contain its rays. nearest: see BinEntry. If the box of rays
+  /// is exact, these may be finest tiles, so all boxes there are exact. Otherwise they are tiles of
+  /// a coarser level.
+  void insert(std::uint32_t triangle, const Window& rays, bool isExact, float nearest)
   {
     const TileGrid::Level level = this->Grid->levelFor(rays, isExact ? 0 : 1);
     const int firstColumn = level.tileOf(rays.i0), lastColumn = level.tileOf(rays.i1 - 1);
@@ -177,7 +179,7 @@ public:
         const int i = column * level.size;
         this->Triangles.append(level.first + row * level.columns + column,
           { triangle, step(std::max(rays.i0 - i, 0)), step(std::min(rays.i1 - i, level.size) - 1),
-            j0, j1 });
+            j0, j1, nearest });
       }
     }
   }
