@@ -118,7 +118,7 @@ private:
         LatticePosition* const positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)
         {
-          gathered.locate(part.surface->points, from, to, positions);
+          gathered.locate(part.points(), from, to, positions);
           return;
         }
         for (std::size_t p = from; p < to; ++p)

@@ -19,7 +19,7 @@
  * A picture with several samples per pixel that has more samples than Settings::mostSamples is
  * rendered in bands, one after the other.
  *
- * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 32 bytes per
+ * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 48 bytes per
  * larger triangle, in about Settings::binPages pages at most.
  */
 #ifndef lambent_Render_h

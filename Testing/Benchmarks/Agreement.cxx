@@ -54,28 +54,33 @@ private:
 }
 
 std::map<std::string, double> comparePictures(
-  Peers& peers, bool withEmbree, bool withOpenGL, const std::string& folder)
+  Peers& peers, const Compared& compared, const std::string& folder)
 {
   const Pictures pictures(folder);
   std::map<std::string, double> differing;
-  peers.lambent().render();
-  pictures.write("lambent", peers.lambent().picture());
+  const auto renderOurs = [&](int samples)
+  {
+    peers.lambent().render(samples);
+    pictures.write(withSamples("lambent", samples), peers.lambent().picture());
+  };
   const auto compare = [&](const std::string& name, vtkImageData* picture)
   {
     pictures.write(name, picture);
     differing[name] = fractionDiffering(peers.lambent().picture(), picture);
   };
-  if (withEmbree)
+  for (int samples : compared.embree)
   {
-    peers.embree().build(TreeQuality::Medium);
+    renderOurs(samples);
     for (RayGrouping grouping : rayGroupings)
     {
-      peers.embree().trace(TreeQuality::Medium, grouping);
-      compare(std::string("embree/") + nameOf(grouping), peers.embree().picture());
+      peers.embree().trace(TreeQuality::Medium, grouping, samples);
+      compare(
+        withSamples(std::string("embree/") + nameOf(grouping), samples), peers.embree().picture());
     }
   }
-  if (withOpenGL)
+  if (compared.openGL)
   {
+    renderOurs(1);
     compare("opengl", peers.opengl().picture());
   }
   return differing;

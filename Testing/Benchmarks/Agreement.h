@@ -10,10 +10,18 @@
 #include "Peers.h"
 
 #include <map>
+#include <vector>
+
+/// The pictures to compare with Lambent's.
+struct Compared
+{
+  std::vector<int> embree; ///< Supersampling of each of Embree's pictures
+  bool openGL = false;
+};
 
 /// The fraction of bytes that differ from Lambent's picture by more than 2, for each peer
 /// ("embree/single" and so on). Writes the pictures as PNG files if a folder is given.
 std::map<std::string, double> comparePictures(
-  Peers& peers, bool withEmbree, bool withOpenGL, const std::string& folder);
+  Peers& peers, const Compared& compared, const std::string& folder);
 
 #endif

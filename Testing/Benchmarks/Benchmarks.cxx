@@ -63,10 +63,29 @@ void add(const Contest& contest, const std::string& scene, const Options& option
     ->Repetitions(repetitionsFor(expected, options));
 }
 
-bool anyStartsWith(const std::vector<Contest>& contests, const std::string& start)
+bool anyHas(const std::vector<Contest>& contests, const std::string& part)
 {
   return std::any_of(contests.begin(), contests.end(),
-    [&](const Contest& contest) { return contest.name.find(start) != std::string::npos; });
+    [&](const Contest& contest) { return contest.name.find(part) != std::string::npos; });
+}
+
+/// The peers' pictures that these contests time.
+Compared comparedBy(const std::vector<Contest>& contests)
+{
+  Compared compared;
+  if (anyHas(contests, "embree/"))
+  {
+    compared.embree.push_back(1);
+  }
+  for (int samples : supersamplings)
+  {
+    if (anyHas(contests, withSamples("embree/", samples)))
+    {
+      compared.embree.push_back(samples);
+    }
+  }
+  compared.openGL = anyHas(contests, "opengl/");
+  return compared;
 }
 
 void describe(const BenchmarkScene& scene, const std::vector<Contest>& contests, Peers& peers,
@@ -77,17 +96,16 @@ void describe(const BenchmarkScene& scene, const std::vector<Contest>& contests,
   benchmark::AddCustomContext(
     "size", std::to_string(scene.width) + "x" + std::to_string(scene.height));
   benchmark::AddCustomContext("threads", std::to_string(options.threads));
-  const bool withEmbree = anyStartsWith(contests, "embree/");
-  const bool withOpenGL = anyStartsWith(contests, "opengl/");
-  if (withEmbree)
+  const Compared compared = comparedBy(contests);
+  if (!compared.embree.empty())
   {
     benchmark::AddCustomContext("packet", std::to_string(peers.embree().raysAtOnce()));
   }
-  if (withOpenGL)
+  if (compared.openGL)
   {
     benchmark::AddCustomContext("opengl", peers.opengl().device());
   }
-  for (const auto& peer : comparePictures(peers, withEmbree, withOpenGL, options.pictures))
+  for (const auto& peer : comparePictures(peers, compared, options.pictures))
   {
     benchmark::AddCustomContext("differing/" + peer.first, std::to_string(peer.second));
   }

@@ -42,7 +42,7 @@ struct EmbreeRenderer::Internals
   }
 
   template <int N>
-  void traceTiles(RTCScene tree, RayGrouping grouping, unsigned char* bytes) const;
+  void traceTiles(RTCScene tree, RayGrouping grouping, const EmbreeFilm& film) const;
 };
 
 namespace
@@ -109,14 +109,14 @@ double EmbreeRenderer::build(TreeQuality quality)
 //------------------------------------------------------------------------------
 template <int N>
 void EmbreeRenderer::Internals::traceTiles(
-  RTCScene tree, RayGrouping grouping, unsigned char* bytes) const
+  RTCScene tree, RayGrouping grouping, const EmbreeFilm& film) const
 {
   constexpr int side = EmbreeTile<N>::side;
-  const int across = (this->width + side - 1) / side, up = (this->height + side - 1) / side;
+  const int across = (film.columns() + side - 1) / side, up = (film.rows() + side - 1) / side;
   const auto traceRange = [&](const tbb::blocked_range<int>& range)
   {
     const FlushDenormals flush;
-    EmbreeTile<N> tile(this->mesh, this->view, this->width, this->height, bytes);
+    EmbreeTile<N> tile(this->mesh, this->view, film);
     for (int k = range.begin(); k < range.end(); ++k)
     {
       tile.render(tree, grouping, side * (k % across), side * (k / across));
@@ -127,7 +127,7 @@ void EmbreeRenderer::Internals::traceTiles(
     tbb::blocked_range<int>(0, across * up, tilesAtATime), traceRange, tbb::simple_partitioner());
 }
 
-double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping)
+double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping, int samples)
 {
   const Internals& internal = *this->Internal;
   if (!internal.trees[static_cast<int>(quality)])
@@ -140,14 +140,15 @@ double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping)
   this->Picture = vtkSmartPointer<vtkImageData>::New();
   this->Picture->SetDimensions(internal.width, internal.height, 1);
   this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* bytes = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
+  const EmbreeFilm film(internal.width, internal.height, samples,
+    static_cast<unsigned char*>(this->Picture->GetScalarPointer()));
   if (internal.hasWidePackets())
   {
-    internal.traceTiles<16>(tree, grouping, bytes);
+    internal.traceTiles<16>(tree, grouping, film);
   }
   else
   {
-    internal.traceTiles<8>(tree, grouping, bytes);
+    internal.traceTiles<8>(tree, grouping, film);
   }
   return stopwatch.seconds();
 }

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief trace a tile of pixels with Embree, and shade it
+ * @brief trace a tile of rays with Embree, and shade it
  *
- * The pixels of a tile are divided into blocks of N, four wide; each block is a packet
- * of rays. However Embree receives the rays, the hits end up in packets and are shaded
- * packet by packet, in loops that the compiler vectorizes.
+ * The rays of a tile are divided into blocks of N, four wide; each block is a packet.
+ * However Embree receives the rays, the hits end up in packets and are shaded packet by
+ * packet, in loops that the compiler vectorizes. The film averages the tile's values.
  */
 #ifndef EmbreeTile_h
 #define EmbreeTile_h
 
+#include "EmbreeFilm.h"
 #include "EmbreeRenderer.h"
 #include "EmbreeScene.h"
 
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 /// While this object exists, its thread treats denormals as zero.
@@ -59,15 +59,12 @@ template <int N>
 class EmbreeTile
 {
 public:
-  static constexpr int side = 16;
+  static constexpr int side = EmbreeFilm::side;
 
-  EmbreeTile(
-    const EmbreeMesh& mesh, const EmbreeView& view, int width, int height, unsigned char* bytes)
+  EmbreeTile(const EmbreeMesh& mesh, const EmbreeView& view, const EmbreeFilm& film)
     : Mesh(mesh)
     , View(view)
-    , Width(width)
-    , Height(height)
-    , Bytes(bytes)
+    , Film(film)
   {
     rtcInitIntersectContext(&this->Context);
     this->Context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
@@ -81,7 +78,7 @@ public:
     }
   }
 
-  /// The tile whose lower left pixel is (i, j).
+  /// The tile whose lower left ray is (i, j).
   void render(RTCScene tree, RayGrouping grouping, int i, int j)
   {
     for (int block = 0; block < blocks; ++block)
@@ -91,8 +88,9 @@ public:
     this->trace(tree, grouping);
     for (int block = 0; block < blocks; ++block)
     {
-      this->finish(this->Packets[block], i + blockX(block), j + blockY(block));
+      this->finish(this->Packets[block], blockX(block), blockY(block));
     }
+    this->Film.write(this->Values, i, j);
   }
 
 private:
@@ -108,17 +106,17 @@ private:
   void trace(RTCScene tree, RayGrouping grouping);
   void scatter();
   void gather();
-  void finish(const Packet& packet, int i, int j) const;
-  void shade(const Packet& packet, std::int32_t (&values)[N]) const;
+  void finish(const Packet& packet, int i, int j);
+  void shade(const Packet& packet, float (&values)[N]) const;
 
   const EmbreeMesh& Mesh;
   const EmbreeView& View;
-  int Width, Height;
-  unsigned char* Bytes;
+  const EmbreeFilm& Film;
   RTCIntersectContext Context;
   alignas(64) int All[N];
   Packet Packets[blocks];
   RTCRayHit Singles[rays];
+  alignas(64) float Values[rays]; ///< in rows
 };
 
 //------------------------------------------------------------------------------
@@ -127,10 +125,12 @@ void EmbreeTile<N>::aim(Packet& packet, int i, int j) const
 {
   const EmbreeView& view = this->View;
   const float pan = view.parallel ? 1.0f : 0.0f, tilt = 1.0f - pan;
+  const float middleX = 0.5f * this->Film.columns(), middleY = 0.5f * this->Film.rows();
+  const float step = view.pixel / this->Film.samples();
   for (int k = 0; k < N; ++k)
   {
-    const float x = (i + k % blockWidth + 0.5f - 0.5f * this->Width) * view.pixel;
-    const float y = (j + k / blockWidth + 0.5f - 0.5f * this->Height) * view.pixel;
+    const float x = (i + k % blockWidth + 0.5f - middleX) * step;
+    const float y = (j + k / blockWidth + 0.5f - middleY) * step;
     const float ax = x * view.right.x + y * view.up.x, ay = x * view.right.y + y * view.up.y,
                 az = x * view.right.z + y * view.up.z;
     packet.ray.org_x[k] = view.eye.x + pan * ax;
@@ -223,47 +223,29 @@ void EmbreeTile<N>::gather()
 }
 
 //------------------------------------------------------------------------------
-/// Shade the packet if it has hits, and write the pixels that lie in the image.
+/// Shade the packet at ray (i, j) of the tile if it has hits.
 template <int N>
-void EmbreeTile<N>::finish(const Packet& packet, int i, int j) const
+void EmbreeTile<N>::finish(const Packet& packet, int i, int j)
 {
   unsigned int hits = 0;
   for (int k = 0; k < N; ++k)
   {
     hits += packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
   }
-  alignas(64) std::int32_t values[N] = {};
+  alignas(64) float values[N] = {};
   if (hits > 0)
   {
     this->shade(packet, values);
   }
-  const int columns = std::min(blockWidth, this->Width - i);
-  const int rows = std::min(blockHeight, this->Height - j);
-  for (int row = 0; row < rows; ++row)
+  for (int row = 0; row < blockHeight; ++row)
   {
-    // Four grey pixels as twelve bytes, the first in the lowest byte.
-    std::uint64_t pixel[blockWidth];
-    for (int k = 0; k < blockWidth; ++k)
-    {
-      pixel[k] = 0x010101u * static_cast<std::uint32_t>(values[row * blockWidth + k]);
-    }
-    const std::uint64_t bytes[2] = { pixel[0] | pixel[1] << 24 | pixel[2] << 48,
-      pixel[2] >> 16 | pixel[3] << 8 };
-    unsigned char* target = this->Bytes + 3 * (static_cast<std::size_t>(j + row) * this->Width + i);
-    if (columns == blockWidth)
-    {
-      std::memcpy(target, bytes, 3 * blockWidth);
-    }
-    else
-    {
-      std::memcpy(target, bytes, 3 * std::max(columns, 0));
-    }
+    std::copy_n(values + row * blockWidth, blockWidth, this->Values + (j + row) * side + i);
   }
 }
 
 /// White, ambient 0, diffuse 1, two-sided, one white point light.
 template <int N>
-void EmbreeTile<N>::shade(const Packet& packet, std::int32_t (&values)[N]) const
+void EmbreeTile<N>::shade(const Packet& packet, float (&values)[N]) const
 {
   alignas(64) float weight[N], normal[9][N];
   for (int k = 0; k < N; ++k)
@@ -297,7 +279,7 @@ void EmbreeTile<N>::shade(const Packet& packet, std::int32_t (&values)[N]) const
     const float facing = away > 0.0f ? -weight[k] : weight[k];
     const float lengths = (nx * nx + ny * ny + nz * nz) * (sx * sx + sy * sy + sz * sz) + 1e-30f;
     const float value = facing * (nx * sx + ny * sy + nz * sz) / std::sqrt(lengths);
-    values[k] = static_cast<std::int32_t>(std::min(std::max(value, 0.0f), 255.0f) + 0.5f);
+    values[k] = std::min(std::max(value, 0.0f), 255.0f);
   }
 }
 

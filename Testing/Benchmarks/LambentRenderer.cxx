@@ -16,8 +16,9 @@ LambentRenderer::LambentRenderer(const BenchmarkScene& scene)
   this->Filter->AddLight(scene.light);
 }
 
-double LambentRenderer::render()
+double LambentRenderer::render(int samples)
 {
+  this->Filter->SetSupersampling(samples);
   this->Filter->GetOutput()->Initialize(); // Freeing the last image does not count.
   this->Filter->Modified();
   const Stopwatch stopwatch;

@@ -22,15 +22,19 @@ public:
 
   /// Seconds of the filter with an input connection for each piece.
   double renderInputs();
+  /// Seconds of VTK's executive for as many connections, of a filter that does nothing.
+  double passInputs();
   /// Seconds of the core with one surface, and with one for each piece.
   double renderOne() { return this->render(this->One); }
   double renderMany() { return this->render(this->Many); }
 
 private:
+  void connect(vtkAlgorithm* filter);
   double render(const lambent::Scene& scene);
 
   int Width, Height;
-  vtkNew<vtkLambentRayTracer> Filter; ///< with the pieces
+  vtkNew<vtkLambentRayTracer> Filter;      ///< with the pieces
+  vtkSmartPointer<vtkImageAlgorithm> Idle; ///< with the pieces
   vtkSmartPointer<vtkPolyData> Mesh;
   std::vector<vtkIdType> Corners; ///< of a piece
   lambent::Scene One, Many;

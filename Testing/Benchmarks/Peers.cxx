@@ -39,6 +39,11 @@ Contest onOneThread(const Contest& contest)
 }
 }
 
+std::string withSamples(const std::string& name, int samples)
+{
+  return samples == 1 ? name : "supersampling-" + std::to_string(samples) + "/" + name;
+}
+
 Peers::Peers(const BenchmarkScene& scene)
   : Scene(scene)
   , BareMesh(withoutNormals(scene.mesh))
@@ -65,20 +70,47 @@ ManySurfaces& Peers::surfaces()
   return madeOnce(this->Surfaces, this->Scene);
 }
 
+void Peers::addPictures(std::vector<Contest>& contests, int samples)
+{
+  contests.push_back({ withSamples("lambent", samples),
+    [this, samples]() { return this->lambent().render(samples); } });
+  for (TreeQuality quality : treeQualities)
+  {
+    for (RayGrouping grouping : rayGroupings)
+    {
+      const std::string name = std::string(nameOf(quality)) + "/" + nameOf(grouping);
+      contests.push_back({ withSamples("embree/trace/" + name, samples),
+        [this, quality, grouping, samples]()
+        { return this->embree().trace(quality, grouping, samples); } });
+    }
+  }
+}
+
+void Peers::addSurfaces(std::vector<Contest>& contests)
+{
+  const auto add = [&](const char* name, double (ManySurfaces::*run)())
+  {
+    contests.push_back(
+      { std::string("surfaces/") + name, [this, run]() { return (this->surfaces().*run)(); } });
+  };
+  add("inputs", &ManySurfaces::renderInputs);
+  add("executive", &ManySurfaces::passInputs);
+  add("one", &ManySurfaces::renderOne);
+  add("many", &ManySurfaces::renderMany);
+}
+
 std::vector<Contest> Peers::all()
 {
   std::vector<Contest> contests;
-  contests.push_back({ "lambent", [this]() { return this->lambent().render(); } });
   for (TreeQuality quality : treeQualities)
   {
-    const std::string name = nameOf(quality);
-    contests.push_back(
-      { "embree/build/" + name, [this, quality]() { return this->embree().build(quality); } });
-    for (RayGrouping grouping : rayGroupings)
-    {
-      contests.push_back({ "embree/trace/" + name + "/" + nameOf(grouping),
-        [this, quality, grouping]() { return this->embree().trace(quality, grouping); } });
-    }
+    contests.push_back({ std::string("embree/build/") + nameOf(quality),
+      [this, quality]() { return this->embree().build(quality); } });
+  }
+  this->addPictures(contests, 1);
+  for (int samples : supersamplings)
+  {
+    this->addPictures(contests, samples);
   }
   const auto addNormals = [&](const char* name, NormalsFilter filter)
   {
@@ -90,9 +122,7 @@ std::vector<Contest> Peers::all()
   addNormals("vtkTriangleMeshPointNormals", NormalsFilter::TriangleMeshPoint);
   if (this->Scene.pieces > 1)
   {
-    contests.push_back({ "surfaces/inputs", [this]() { return this->surfaces().renderInputs(); } });
-    contests.push_back({ "surfaces/one", [this]() { return this->surfaces().renderOne(); } });
-    contests.push_back({ "surfaces/many", [this]() { return this->surfaces().renderMany(); } });
+    this->addSurfaces(contests);
   }
   for (std::size_t k = 0, count = contests.size(); k < count; ++k)
   {

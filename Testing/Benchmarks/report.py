@@ -5,8 +5,11 @@
 import json
 import pathlib
 
+from results import SUPERSAMPLING
+
 GOALS = json.loads(pathlib.Path(__file__).with_name("goals.json").read_text())
 EVERYWHERE = GOALS["of each of them"]
+SAMPLES = GOALS["supersampling"]
 MISSED = " **missed**"
 MAY_DIFFER = 0.005
 
@@ -137,18 +140,55 @@ def normals_table(scenes, tally):
 
 def surfaces_table(scenes, tally):
     """The same mesh as many surfaces."""
-    header = ["many surfaces", "one mesh ms", "as inputs ms", "ratio", "core, one surface ms"]
-    header += ["core, many surfaces ms", "ratio", "goal"]
+    header = ["many surfaces", "one mesh ms", "as inputs ms", "ratio", "goal"]
+    header += ["VTK's executive alone ms", "ratio without it"]
+    header += ["core, one surface ms", "core, many surfaces ms", "ratio", "goal"]
     rows = []
     for scene in scenes:
         one, many = scene.median("surfaces/one"), scene.median("surfaces/many")
         if many is None:
             continue
         mesh, inputs = scene.median("lambent"), scene.median("surfaces/inputs")
-        goal = GOALS["surfaces"].get(scene.name)
-        row = [scene.name, ms(mesh), ms(inputs), f"{inputs / mesh:.2f}", ms(one), ms(many)]
-        row += [tally.most(f"{scene.name}: surfaces", many / one, goal), f"≤ {goal}"]
+        executive = scene.median("surfaces/executive")
+        goals = GOALS["surfaces"][scene.name]
+        limits = {part: f"≤ {goals[part]}" if part in goals else "" for part in ("inputs", "core")}
+        row = [scene.name, ms(mesh), ms(inputs)]
+        row += [tally.most(f"{scene.name}: inputs", inputs / mesh, goals.get("inputs"))]
+        row += [limits["inputs"], ms(executive), f"{(inputs - executive) / mesh:.2f}"]
+        row += [ms(one), ms(many)]
+        row += [tally.most(f"{scene.name}: core", many / one, goals.get("core")), limits["core"]]
         rows.append(row)
+    return table(header, rows) if rows else ""
+
+
+def supersampling_table(scenes, tally):
+    """Several samples a pixel, beside one sample and beside Embree."""
+    header = ["several samples a pixel", "Lambent ms", "times one sample", "goal"]
+    header += ["Embree medium build + trace", "ratio", "goal", "Embree fastest total", "ratio"]
+    header += ["goal", "best trace alone", "ratio", "with one sample"]
+    rows = []
+    for scene in scenes:
+        for n in (2, 4):
+            prefix = f"{SUPERSAMPLING}{n}/"
+            one, ours = scene.median("lambent"), scene.median(f"{prefix}lambent")
+            if ours is None or scene.build("medium") is None:
+                continue
+            goal = SAMPLES.get(scene.name, {}).get(str(n))
+            what = f"{scene.name}, {n} × {n}"
+            row = [what, f"{ms(ours)} ±{100 * scene.spread(f'{prefix}lambent'):.0f} %"]
+            row += [tally.most(f"{what} samples", ours / one, goal), f"≤ {goal}"]
+            kept = SAMPLES["ratio kept"] / one
+            total, before = scene.total("medium", prefix), scene.total("medium")
+            row += [f"{ms(scene.build('medium'))} + {ms(scene.best_trace('medium', prefix)[1])}"]
+            row += [tally.ratio(f"{what} samples: medium", total, ours, kept * before)]
+            row += [f"≥ {kept * before:.1f}"]
+            (quality, total), (_, before) = scene.fastest_total(prefix), scene.fastest_total()
+            row += [f"{ms(total)} ({quality})"]
+            row += [tally.ratio(f"{what} samples: fastest", total, ours, kept * before)]
+            row += [f"≥ {kept * before:.1f}"]
+            (trace, kind), (before, _) = scene.fastest_trace(prefix), scene.fastest_trace()
+            row += [f"{ms(trace)} ({kind})", f"{trace / ours:.1f}", f"{before / one:.1f}"]
+            rows.append(row)
     return table(header, rows) if rows else ""
 
 
@@ -182,7 +222,7 @@ def agreement(scenes):
         f"{scene.name}, {peer}: {100 * part:.2f} %"
         for scene in scenes
         for peer, part in scene.differing.items()
-        if peer.startswith("embree") and part > MAY_DIFFER
+        if "embree/" in peer and part > MAY_DIFFER
     ]
     if far:
         return "PICTURES DIFFER from Embree's, in bytes by more than 2: " + "; ".join(far) + "."
@@ -199,6 +239,7 @@ def write(scenes, machine, load_after, quick):
         embree_table(scenes, tally),
         opengl_table(scenes, tally),
         normals_table(scenes, tally),
+        supersampling_table(scenes, tally),
         surfaces_table(scenes, tally),
         further_table(scenes, tally),
     ]

@@ -41,6 +41,7 @@ SURFACE_SCENES = ["spheres", "facets"]  # scenes with many surfaces
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"
+SUPERSAMPLING = ["dragon", "bunny"]  # scenes with several samples a pixel, too
 NORMALS = "normals/.*"
 
 
@@ -96,6 +97,8 @@ def contests_of(name, quick):
     if name in SURFACE_SCENES:
         return SURFACES
     contests = QUICK if quick else EVERYTHING
+    if name in SUPERSAMPLING:
+        contests = f"(supersampling-./)?({contests})"
     if name == "dragon" or (name.startswith("wave") and not quick):
         contests += "|1-thread/lambent|" + NORMALS
     return contests

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers so close that floats can hardly tell, or cannot tell, which one is in front.
+// Layers so close that floats can hardly tell, or cannot tell, which one is in front; and so many
+// that most are dropped before they are cast.
 #include "InstructionSets.h"
+#include "RandomNumbers.h"
 #include "VisibleTriangles.h"
 
 #include <gtest/gtest.h>
@@ -40,12 +42,47 @@ struct Layers
         }
       }
     }
+    this->addSurface();
+  }
+
+protected:
+  Layers() = default;
+
+  void addSurface()
+  {
     this->corners.resize(this->points.size() / 3);
     std::iota(this->corners.begin(), this->corners.end(), 0);
     Surface surface;
     surface.points = { this->points.data(), true, this->corners.size() };
     surface.corners = { this->corners.data(), false, this->corners.size() };
     this->scene.surfaces.push_back(surface);
+  }
+};
+
+/// Large triangles at random depths. Each covers most of the picture. Some are steep: they have the
+/// nearest corners, but lie behind all others where they are seen.
+struct ManyLayers : Layers
+{
+  ManyLayers(unsigned seed, double spread, double slope, bool parallel)
+  {
+    RandomNumbers random(seed);
+    this->scene.camera.position = Vec3(0.0);
+    this->scene.camera.focalPoint = { 0.0, 0.0, -1.0 };
+    this->scene.camera.parallel = parallel;
+    this->scene.camera.parallelScale = 0.5;
+    for (int layer = 0; layer < 300; ++layer)
+    {
+      const bool isSteep = layer % 7 == 0;
+      const double depth = isSteep ? 8.0 : random.within(2.0, 2.0 + spread);
+      const double side = layer % 2 == 0 ? 1.0 : -1.0;
+      this->points.insert(this->points.end(), { -2.0 * side, -6.0, isSteep ? -1.5 : -depth });
+      for (const double y : { 0.0, 6.0 })
+      {
+        this->points.insert(this->points.end(),
+          { (y > 0.0 ? -2.0 : 6.0) * side, y, -depth - slope * random.within(-1.0, 1.0) });
+      }
+    }
+    this->addSurface();
   }
 };
 }
@@ -64,6 +101,25 @@ TEST(NearLayers, AreDistinguishedInEveryInstructionSet)
           EXPECT_EQ(visibleTriangles(layers.scene, side, Settings()),
             visibleTriangles(layers.scene, side, Settings::bruteForce({ 0, side, 0, side })))
             << k << ", " << size;
+        }
+      }
+    });
+}
+
+TEST(ManyLayers, ShowTheNearestInEveryInstructionSet)
+{
+  onAllTargets(
+    []()
+    {
+      for (unsigned seed = 0; seed < 12; ++seed)
+      {
+        for (const double slope : { 0.0, 1e-6, 0.01, 1.5 })
+        {
+          const double spread = seed % 3 == 0 ? 1e-6 : 1.0;
+          const ManyLayers layers(seed, spread, slope, seed % 2 == 0);
+          EXPECT_EQ(visibleTriangles(layers.scene, side, Settings()),
+            visibleTriangles(layers.scene, side, Settings::bruteForce({ 0, side, 0, side })))
+            << seed << ", " << slope;
         }
       }
     });

@@ -14,6 +14,7 @@ CAMERA = "Rendering/Core/Frame/CameraFrame.cxx"
 ELEMENTARY = "Filters/Base/Elementary.cxx"
 LATTICE = "Rendering/Core/Tiles/PointLattice.cxx"
 LATTICE_KERNEL = "Rendering/Core/Tiles/LatticeKernel.cxx"
+BINNING = "Rendering/Core/Tiles/Binning.cxx"
 COVERAGE = "Rendering/Core/Tiles/CoverageKernel.cxx"
 EDGES = "Rendering/Core/Cast/EdgeFunctions.h"
 SETUP = "Rendering/Core/Cast/CastingSetup.h"
@@ -123,6 +124,8 @@ MUTATIONS = [
      "hn::Sub(middle, reach), hn::Sub(middle, reach)", "extremes over a box"),
     (HITS, "hn::Le(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)",
      "hn::Lt(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)", "the kernel's edges belong to the back"),
+    (BINNING, "const double nearest = std::min(", "const double nearest = std::max(",
+     "the nearest corner bounds the hits of a triangle"),
     (EXACT, "hn::And(result.isHit(), sheared.spansRay())", "result.isHit()",
      "the kernel's hits lie in the sheared box"),
     (EXACT, "hn::And(hit, hn::Le(result.sum, hn::Zero(d)))",

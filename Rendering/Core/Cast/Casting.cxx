@@ -6,6 +6,8 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
+
 namespace lambent
 {
 namespace
@@ -13,6 +15,10 @@ namespace
 /// A range that overlaps all others, so that the depth decides.
 constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
   std::numeric_limits<float>::infinity() };
+
+/// The nearest triangles are cast first if the boxes of those that wait have the area of this many
+/// tiles.
+constexpr std::int64_t manyLayers = 16;
 
 /// Returns a function that computes the depth of a triangle at a sample of a tile.
 auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
@@ -78,30 +84,82 @@ template <typename Policy>
 void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::Level& level,
   TileHits<Policy>& tile, CastBatch& batch) const
 {
-  constexpr int atOnce = 32;
-  Candidate candidates[atOnce];
-  for (int first = 0; first < count; first += atOnce)
+  const Window& window = tile.samples.window();
+  const Window bin = this->Grid.window(level, window.i0, window.j0);
+  const int i = bin.i0 - window.i0, j = bin.j0 - window.j0, unit = level.unitShift;
+  const int width = window.width(), height = window.height();
+  for (int k = 0; k < count; ++k)
   {
-    const int end = std::min(first + atOnce, count);
-    this->fetch(entries + first, end - first, candidates);
-    for (int k = first; k < end; ++k)
+    const BinEntry& entry = entries[k];
+    const Window box = { std::max(i + (entry.i0 << unit), 0),
+      std::min(i + ((entry.i1 + 1) << unit), width), std::max(j + (entry.j0 << unit), 0),
+      std::min(j + ((entry.j1 + 1) << unit), height) };
+    if (box.empty() || entry.nearest < batch.least)
     {
-      const Window box = this->boxIn(tile.samples, level, entries[k]);
-      if (!box.empty())
-      {
-        this->add(entries[k].triangle, candidates[k - first], box, tile, batch);
-      }
+      continue;
+    }
+    batch.waiting[batch.waitingCount++] = { entry.triangle, entry.nearest, box };
+    batch.waitingArea += static_cast<std::int64_t>(box.width()) * box.height();
+    if (batch.waitingCount == CastBatch::mostWaiting)
+    {
+      this->castWaiting(tile, batch);
+    }
+  }
+}
+
+/// Casts all waiting triangles. If they may cover the tile many times, the nearest are cast first,
+/// since those behind them are dropped before their points are read.
+template <typename Policy>
+void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastBatch& batch) const
+{
+  const Window& window = tile.samples.window();
+  int begin = 0;
+  if (batch.waitingCount > 4 * CastBatch::capacity &&
+    batch.waitingArea > manyLayers * window.width() * window.height())
+  {
+    begin = CastBatch::capacity;
+    std::nth_element(batch.waiting, batch.waiting + begin, batch.waiting + batch.waitingCount,
+      [](const WaitingTriangle& a, const WaitingTriangle& b) { return a.nearest > b.nearest; });
+    this->castWaiting(0, begin, tile, batch);
+    this->castBatch(tile, batch); // also finds batch.least
+  }
+  this->castWaiting(begin, batch.waitingCount, tile, batch);
+  batch.waitingCount = 0;
+  batch.waitingArea = 0;
+}
+
+/// Casts some of the waiting triangles. Up to a batch of them may remain in the batch.
+template <typename Policy>
+void Casting<Policy>::castWaiting(
+  int begin, int end, TileHits<Policy>& tile, CastBatch& batch) const
+{
+  constexpr int atOnce = 32;
+  const WaitingTriangle* triangles[atOnce];
+  Candidate candidates[atOnce];
+  while (begin < end)
+  {
+    int count = 0;
+    for (; begin < end && count < atOnce; ++begin)
+    {
+      triangles[count] = &batch.waiting[begin];
+      count += !(triangles[count]->nearest < batch.least);
+    }
+    this->fetch(triangles, count, candidates);
+    for (int k = 0; k < count; ++k)
+    {
+      this->add(triangles[k]->number, candidates[k], triangles[k]->box, tile, batch);
     }
   }
 }
 
 // Points are scattered in memory, so many are prefetched before the first is read.
 template <typename Policy>
-void Casting<Policy>::fetch(const BinEntry* entries, int count, Candidate* candidates) const
+void Casting<Policy>::fetch(
+  const WaitingTriangle* const* triangles, int count, Candidate* candidates) const
 {
   for (int k = 0; k < count; ++k)
   {
-    const std::uint32_t number = entries[k].triangle;
+    const std::uint32_t number = triangles[k]->number;
     const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
     candidates[k].part = &part;
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -129,14 +187,22 @@ void Casting<Policy>::add(std::uint32_t number, const Candidate& candidate, cons
   batch.cullBack[batch.count] = candidate.part->appearance->cullBack;
   if (++batch.count == CastBatch::capacity)
   {
-    this->flush(tile, batch);
+    this->castBatch(tile, batch);
   }
 }
 
 template <typename Policy>
 void Casting<Policy>::flush(TileHits<Policy>& tile, CastBatch& batch) const
 {
-  castBatch(this->Frame, tile.samples, tile.hits, batch);
+  this->castWaiting(tile, batch);
+  this->castBatch(tile, batch);
+  batch.least = -std::numeric_limits<float>::infinity();
+}
+
+template <typename Policy>
+void Casting<Policy>::castBatch(TileHits<Policy>& tile, CastBatch& batch) const
+{
+  lambent::castBatch(this->Frame, tile.samples, tile.hits, batch);
   for (const ExactHit& hit : batch.hits)
   {
     tile.hits.offer(hit.sample, hit.triangle, nearnessOf(hit.depth, this->Frame.parallel),

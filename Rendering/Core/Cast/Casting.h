@@ -6,7 +6,11 @@
  *
  * castPlainly() is the definition: it transforms each triangle into the camera's frame and tests it
  * with intersect() against the rays of its box. cast() collects triangles for the kernel of
- * CastingKernel.h, which gives the same bits.
+ * CastingKernel.h, which gives the same bits:
+ *
+ * 1. Collect the triangles of the tile's bins, without reading their points.
+ * 2. If they may cover the tile many times, cast the nearest few first.
+ * 3. Cast the others, but drop those that lie behind the hits of all samples.
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
  * of each sample.
@@ -72,7 +76,10 @@ private:
     const SceneMesh::Part* part;
     std::uint64_t corners[3];
   };
-  void fetch(const BinEntry* entries, int count, Candidate* candidates) const;
+  void castWaiting(TileHits<Policy>& tile, CastBatch& batch) const;
+  void castWaiting(int begin, int end, TileHits<Policy>& tile, CastBatch& batch) const;
+  void castBatch(TileHits<Policy>& tile, CastBatch& batch) const;
+  void fetch(const WaitingTriangle* const* triangles, int count, Candidate* candidates) const;
   void add(std::uint32_t number, const Candidate& candidate, const Window& box,
     TileHits<Policy>& tile, CastBatch& batch) const;
 

@@ -110,6 +110,7 @@ void castTriangles(const CameraFrame& frame, const TileSamples& samples, const V
   const Window& window = samples.window();
   const TilePlane tile(frame, samples);
   float least = policy.least(samples);
+  batch.least = least;
   HWY_ALIGN Triangles all;
   for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
   {

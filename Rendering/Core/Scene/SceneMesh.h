@@ -12,6 +12,8 @@
 
 #include "Scene.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -60,6 +62,9 @@ public:
     bool hasCellNormals() const { return (this->Flags & CellNormals) != 0; }
     bool isCulling() const { return (this->Flags & Culling) != 0; }
 
+    /// Reads the next part.
+    std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
+
     /// Whether a triangle, counted over all surfaces, belongs to this part.
     bool holds(std::size_t triangle) const
     {
@@ -84,16 +89,20 @@ public:
 
   explicit SceneMesh(const std::vector<Surface>& surfaces)
   {
-    this->Parts.resize(surfaces.size());
+    this->Parts.reserve(surfaces.size() + 1);
     const Appearance* appearance = surfaces.empty() ? nullptr : &surfaces.front().appearance;
     for (std::size_t k = 0; k < surfaces.size(); ++k)
     {
       const Surface& surface = surfaces[k];
+      prefetch(surfaces[std::min(k + 8, surfaces.size() - 1)]);
       appearance = surface.appearance.isSameAs(*appearance) ? appearance : &surface.appearance;
-      this->Parts[k] = Part(surface, *appearance, this->Triangles, this->Points);
-      this->Triangles += this->Parts[k].triangleCount;
+      this->Parts.emplace_back(surface, *appearance, this->Triangles, this->Points);
+      this->Triangles += this->Parts.back().triangleCount;
       this->Points += surface.points.size;
     }
+    this->Parts.emplace_back();
+    this->Parts.back().firstTriangle = static_cast<std::uint32_t>(this->Triangles);
+    this->Parts.back().firstPoint = this->Points;
     this->indexParts();
   }
 
@@ -111,28 +120,30 @@ public:
     return *part;
   }
 
-  const Part& part(std::size_t number) const { return this->Parts[number]; }
-  /// The index of a part among the scene's surfaces.
-  std::size_t numberOf(const Part& part) const
-  {
-    return static_cast<std::size_t>(&part - this->Parts.data());
-  }
-
   /// Splits [begin, end), counted over all surfaces, where one surface ends and the next begins,
   /// and calls body(part, begin, end) for each piece. There, begin and end count within the
   /// surface.
   template <typename Body>
   void forTriangles(std::size_t begin, std::size_t end, Body&& body) const
   {
-    this->forPieces(begin, end, &Part::firstTriangle, this->Triangles, body);
+    this->forPieces(begin, end, &Part::firstTriangle, body);
   }
   template <typename Body>
   void forPoints(std::size_t begin, std::size_t end, Body&& body) const
   {
-    this->forPieces(begin, end, &Part::firstPoint, this->Points, body);
+    this->forPieces(begin, end, &Part::firstPoint, body);
   }
 
 private:
+  /// The prefetching of the processor does not keep up.
+  static void prefetch(const Surface& surface)
+  {
+    for (std::size_t byte = 0; byte < sizeof(Surface); byte += 64)
+    {
+      hwy::Prefetch(reinterpret_cast<const char*>(&surface) + byte);
+    }
+  }
+
   /// Stores the part that holds the first of every 2^Shift triangles. There are about as many
   /// entries as parts, so finding a part takes a few steps on average.
   void indexParts()
@@ -153,26 +164,23 @@ private:
   }
 
   template <typename Number, typename Body>
-  void forPieces(
-    std::size_t begin, std::size_t end, Number Part::*first, std::size_t total, Body&& body) const
+  void forPieces(std::size_t begin, std::size_t end, Number Part::*first, Body&& body) const
   {
-    auto part = std::upper_bound(this->Parts.begin(), this->Parts.end(), begin,
+    auto part = std::upper_bound(this->Parts.begin(), this->Parts.end() - 1, begin,
                   [first](std::size_t t, const Part& p) { return t < p.*first; }) -
       1;
-    while (begin < end)
+    for (; begin < end; ++part)
     {
-      const std::size_t stop = part + 1 == this->Parts.end() ? total : (*(part + 1)).*first;
-      const std::size_t pieceEnd = std::min(end, stop);
+      const std::size_t pieceEnd = std::min<std::size_t>(end, (*(part + 1)).*first);
       if (begin < pieceEnd)
       {
         body(*part, begin - (*part).*first, pieceEnd - (*part).*first);
       }
       begin = pieceEnd;
-      ++part;
     }
   }
 
-  std::vector<Part> Parts;
+  std::vector<Part> Parts; ///< and one that marks the end
   std::vector<std::uint32_t> FirstParts;
   int Shift = 0;
   std::size_t Triangles = 0;

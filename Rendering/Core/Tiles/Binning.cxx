@@ -4,6 +4,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace lambent
@@ -17,19 +18,48 @@ constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t fewTriangles = 8;
 
 /// Does the same as addCorners().
-bool addFewCorners(const Surface& surface, std::size_t begin, std::size_t end, std::int32_t offset,
-  LatticeBoxes& boxes)
+bool addFewCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
+  std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes)
 {
   bool isSound = true;
   std::int32_t* out = boxes.corners + 3 * boxes.count;
   for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner)
   {
-    const std::uint64_t point = surface.corners[corner];
-    isSound = isSound && point < surface.points.size;
+    const std::uint64_t point = corners[corner];
+    isSound = isSound && point < pointCount;
     *out++ = static_cast<std::int32_t>(point) + offset;
   }
   boxes.count += isSound ? static_cast<int>(end - begin) : 0;
   return isSound;
+}
+
+/// Overlaps all others.
+constexpr float anyNearness = std::numeric_limits<float>::infinity();
+
+/// Copies the corners of the triangles [begin, end). The loop is short, so that the processor
+/// fetches the points of several triangles at a time.
+template <typename Coordinate>
+void loadCorners(
+  const SmallTriangles& small, int begin, int end, const Coordinate* points, CoverageBatch& batch)
+{
+  for (int k = begin; k < end; ++k)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const Coordinate* point =
+        points + 3 * static_cast<std::size_t>(small.items[k].corners[corner]);
+      batch.points[3 * corner][k] = point[0];
+      batch.points[3 * corner + 1][k] = point[1];
+      batch.points[3 * corner + 2][k] = point[2];
+    }
+  }
+}
+
+void loadCorners(
+  const SmallTriangles& small, int begin, int end, const TupleSpan& points, CoverageBatch& batch)
+{
+  points.isDouble ? loadCorners(small, begin, end, static_cast<const double*>(points.data), batch)
+                  : loadCorners(small, begin, end, static_cast<const float*>(points.data), batch);
 }
 }
 
@@ -53,8 +83,7 @@ void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) con
 void Binning::add(
   const SceneMesh::Part& part, std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
-  const Surface& surface = *part.surface;
-  const std::size_t pointCount = surface.points.size;
+  const std::size_t pointCount = part.pointCount();
   LatticeBoxes& boxes = memory.boxes;
   std::size_t offset =
     memory.parts.empty() ? 0 : part.firstPoint - memory.parts.front().part->firstPoint;
@@ -67,8 +96,8 @@ void Binning::add(
   const auto offset32 = static_cast<std::int32_t>(offset);
   const bool isFew = end - begin < fewTriangles;
   if (!this->Kernels || pointCount == 0 || pointCount > maximumPoints ||
-    !(isFew ? addFewCorners(surface, begin, end, offset32, boxes)
-            : addCorners(surface.corners, begin, end, pointCount, offset32, boxes)))
+    !(isFew ? addFewCorners(part.corners(), begin, end, pointCount, offset32, boxes)
+            : addCorners(part.corners(), begin, end, pointCount, offset32, boxes)))
   {
     for (std::size_t t = begin; t < end; ++t)
     {
@@ -101,8 +130,8 @@ void Binning::binBoxes(BinningMemory& memory) const
 /// What binFound() needs of a part, in local variables.
 struct Binning::BoxedPartView
 {
+  const SceneMesh::Part* part;
   TupleSpan points;
-  std::uint32_t number;
   std::uint32_t first; ///< the triangle of place 0
   std::int32_t offset;
   bool isCulling;
@@ -111,9 +140,30 @@ struct Binning::BoxedPartView
 Binning::BoxedPartView Binning::viewOf(const BoxedPart& boxed) const
 {
   const SceneMesh::Part& part = *boxed.part;
-  return { part.points(), static_cast<std::uint32_t>(this->Mesh.mesh().numberOf(part)),
+  return { &part, part.points(),
     static_cast<std::uint32_t>(part.firstTriangle + boxed.begin - boxed.first), boxed.offset,
     part.isCulling() };
+}
+
+/// Calls body(place, view) for places in the batch, in order.
+template <bool IsOnePart, typename Body>
+void Binning::forPlaces(
+  const std::uint32_t* places, int count, const BinningMemory& memory, const Body& body) const
+{
+  const BoxedPart* boxed = memory.parts.data();
+  BoxedPartView view = this->viewOf(*boxed);
+  for (int k = 0; k < count; ++k)
+  {
+    if (!IsOnePart && places[k] >= boxed->end)
+    {
+      while (places[k] >= boxed->end)
+      {
+        ++boxed;
+      }
+      view = this->viewOf(*boxed);
+    }
+    body(places[k], view);
+  }
 }
 
 /// Bins the triangles that have a sample in their box.
@@ -121,57 +171,59 @@ template <bool IsOnePart>
 void Binning::binFound(BinningMemory& memory) const
 {
   const LatticeBoxes& boxes = memory.boxes;
-  const BoxedPart* boxed = memory.parts.data();
-  memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != boxed->part);
-  memory.part = boxed->part;
-  BoxedPartView view = this->viewOf(*boxed);
-  for (int k = 0; k < boxes.found; ++k)
-  {
-    const std::uint32_t place = boxes.triangles[k];
-    if (!IsOnePart && place >= boxed->end)
-    {
-      while (place >= boxed->end)
-      {
-        ++boxed;
-      }
-      view = this->viewOf(*boxed);
-    }
-    const Window box = this->Lattice.raysFrom(boxes.first[place], boxes.end[place]);
-    const bool isExact = this->Lattice.shift() == 0 && boxes.isInexact[place] == 0;
-    const std::uint32_t triangle = view.first + place;
-    if (isExact && !view.isCulling && box.width() <= SmallTriangles::side &&
-      box.height() <= SmallTriangles::side)
+  const SceneMesh::Part* part = memory.parts.front().part;
+  memory.isMixed = memory.isMixed || !IsOnePart || (memory.part && memory.part != part);
+  memory.part = part;
+  const bool isUngrouped = this->Lattice.shift() == 0;
+  std::uint32_t large[LatticeBoxes::capacity];
+  int largeCount = 0;
+  this->forPlaces<IsOnePart>(boxes.triangles, boxes.found, memory,
+    [&](std::uint32_t place, const BoxedPartView& view)
     {
       std::int32_t corners[3];
       for (int corner = 0; corner < 3; ++corner)
       {
         corners[corner] = boxes.corners[3 * place + corner] - (IsOnePart ? 0 : view.offset);
-        hwy::Prefetch(view.points.at(corners[corner])); // for flush()
+        hwy::Prefetch(view.points.at(corners[corner])); // for flush() and insert()
       }
-      this->addSmall(
-        { triangle, view.number, { corners[0], corners[1], corners[2] }, box.i0, box.j0 },
-        box.width(), box.height(), memory);
-    }
-    else
-    {
-      memory.bins.insert(triangle, box, isExact);
-    }
-  }
+      const LatticePosition first = boxes.first[place], end = boxes.end[place];
+      const int width = end.column - first.column, height = end.row - first.row;
+      if (isUngrouped && boxes.isInexact[place] == 0 && !view.isCulling &&
+        width <= SmallTriangles::side && height <= SmallTriangles::side)
+      {
+        this->addSmall({ view.first + place, { corners[0], corners[1], corners[2] }, first }, width,
+          height, memory);
+      }
+      else
+      {
+        large[largeCount++] = place;
+      }
+    });
+  this->forPlaces<IsOnePart>(large, largeCount, memory,
+    [&](std::uint32_t place, const BoxedPartView& view) { this->insert(place, view, memory); });
 }
 
 void Binning::binUnplaced(BinningMemory& memory) const
 {
+  this->forPlaces<false>(memory.boxes.unplacedTriangles, memory.boxes.unplaced, memory,
+    [&](std::uint32_t place, const BoxedPartView& view)
+    { this->binPlainly(*view.part, view.first + place - view.part->firstTriangle, memory); });
+}
+
+/// Inserts a triangle with many rays, or with a box that is not exact.
+void Binning::insert(std::uint32_t place, const BoxedPartView& view, BinningMemory& memory) const
+{
   const LatticeBoxes& boxes = memory.boxes;
-  const BoxedPart* boxed = memory.parts.data();
-  for (int k = 0; k < boxes.unplaced; ++k)
+  const auto depthOf = [&](std::size_t corner)
   {
-    const std::uint32_t place = boxes.unplacedTriangles[k];
-    while (place >= boxed->end)
-    {
-      ++boxed;
-    }
-    this->binPlainly(*boxed->part, boxed->begin + (place - boxed->first), memory);
-  }
+    const std::int32_t point = boxes.corners[3 * place + corner] - view.offset;
+    return this->Frame.toFrame(view.points[point]).z;
+  };
+  const double nearest = std::min({ depthOf(0), depthOf(1), depthOf(2) });
+  memory.bins.insert(view.first + place,
+    this->Lattice.raysFrom(boxes.first[place], boxes.end[place]),
+    this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
+    nearnessOf(nearest, this->Frame.parallel).high);
 }
 
 void Binning::addSmall(
@@ -208,33 +260,20 @@ void Binning::load(int width, int height, BinningMemory& memory) const
   batch.count = small.count;
   batch.width = width;
   batch.height = height;
-  const auto loadFrom = [&](const auto& pointsOf)
+  for (int k = 0; k < small.count; ++k)
   {
-    for (int k = 0; k < small.count; ++k)
-    {
-      const SmallTriangle& triangle = small.items[k];
-      batch.triangles[k] = triangle.number;
-      batch.i[k] = triangle.i;
-      batch.j[k] = triangle.j;
-      const TupleSpan points = pointsOf(triangle);
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const Vec3 p = points[triangle.corners[corner]];
-        batch.points[3 * corner][k] = p.x;
-        batch.points[3 * corner + 1][k] = p.y;
-        batch.points[3 * corner + 2][k] = p.z;
-      }
-    }
-  };
-  if (memory.isMixed)
-  {
-    loadFrom([this](const SmallTriangle& triangle)
-      { return this->Mesh.mesh().part(triangle.part).points(); });
+    batch.triangles[k] = small.items[k].number;
+    batch.i[k] = small.items[k].first.column;
+    batch.j[k] = small.items[k].first.row;
   }
-  else
+  if (!memory.isMixed)
   {
-    const TupleSpan points = memory.part->points();
-    loadFrom([&points](const SmallTriangle&) { return points; });
+    loadCorners(small, 0, small.count, memory.part->points(), batch);
+    return;
+  }
+  for (int k = 0; k < small.count; ++k)
+  {
+    loadCorners(small, k, k + 1, this->Mesh.mesh().partOf(small.items[k].number).points(), batch);
   }
 }
 
@@ -246,13 +285,14 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
   const CoverageBatch& batch = memory.batch;
   findCoverage(batch, this->Lattice, covered);
   small.count = 0;
-  for (int k = 0; k < covered.certain; ++k)
-  {
-    const CoveredRay& ray = covered.certainRays[k];
-    const int t = ray.triangle();
-    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
-    memory.bins.insertHit(i, j, batch.triangles[t], { covered.lows[t], covered.highs[t] });
-  }
+  memory.bins.insertHits(covered.certain,
+    [&](int k) -> Bins::SampleHit
+    {
+      const CoveredRay ray = covered.certainRays[k];
+      const int t = ray.triangle();
+      return { batch.i[t] + ray.i(), batch.j[t] + ray.j(), batch.triangles[t],
+        { covered.lows[t], covered.highs[t] } };
+    });
   for (int k = 0; k < covered.uncertain; ++k)
   {
     const CoveredRay& ray = covered.uncertainRays[k];
@@ -263,7 +303,7 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
     if (this->Mesh.hits(
           triangle, this->Frame.x(this->Part.i0 + i), this->Frame.y(this->Part.j0 + j), depth))
     {
-      memory.bins.insertHit(i, j, triangle, nearnessOf(depth, this->Frame.parallel));
+      memory.bins.insertHit({ i, j, triangle, nearnessOf(depth, this->Frame.parallel) });
     }
   }
 }
@@ -290,7 +330,7 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
     const Window rays = this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
     if (!rays.empty())
     {
-      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c));
+      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c), anyNearness);
     }
   }
   else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||
@@ -302,7 +342,7 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
   }
   else if (!this->Culling || !this->isBehindEye(surface.points, corners))
   {
-    bins.insert(triangle, this->Grid.whole(), false);
+    bins.insert(triangle, this->Grid.whole(), false, anyNearness);
   }
 }
 

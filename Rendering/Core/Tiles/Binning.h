@@ -100,10 +100,14 @@ private:
   void binBoxes(BinningMemory& memory) const;
   struct BoxedPartView;
   BoxedPartView viewOf(const BoxedPart& boxed) const;
+  template <bool IsOnePart, typename Body>
+  void forPlaces(
+    const std::uint32_t* places, int count, const BinningMemory& memory, const Body& body) const;
   template <bool IsOnePart>
   void binFound(BinningMemory& memory) const;
   void binUnplaced(BinningMemory& memory) const;
   void binPlainly(const SceneMesh::Part& part, std::size_t triangle, BinningMemory& memory) const;
+  void insert(std::uint32_t place, const BoxedPartView& view, BinningMemory& memory) const;
   void addSmall(const SmallTriangle& triangle, int width, int height, BinningMemory& memory) const;
   void flush(int width, int height, BinningMemory& memory) const;
   void load(int width, int height, BinningMemory& memory) const;

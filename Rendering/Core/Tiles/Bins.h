@@ -16,6 +16,7 @@
 
 #include <hwy/cache_control.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -29,6 +30,7 @@ struct BinEntry
 {
   std::uint32_t triangle;
   std::uint8_t i0, i1, j0, j1;
+  float nearest; ///< at least the nearness of all its hits
 };
 
 /// A certain hit.
@@ -157,42 +159,69 @@ public:
     this->Hits.clear();
   }
 
-  /// Adds a triangle to the tiles that contain the samples of its box. If the box is exact, these
-  /// may be finest tiles, so all boxes there are exact. Otherwise they are tiles of a coarser
-  /// level.
-  void insert(std::uint32_t triangle, const Window& rays, bool isExact)
+  /// Adds a triangle to the tiles that contain the samples of its box. nearest: see BinEntry. If
+  /// the box is exact, these may be finest tiles, so all boxes there are exact. Otherwise they are
+  /// tiles of a coarser level.
+  void insert(std::uint32_t triangle, const Window& rays, bool isExact, float nearest)
   {
-    const TileGrid::Level& level = this->Grid->levelFor(rays, isExact ? 0 : 1);
-    const int size = level.size;
-    for (int j = level.beginOf(rays.j0); j < rays.j1; j += size)
+    const TileGrid::Level level = this->Grid->levelFor(rays, isExact ? 0 : 1);
+    const int firstColumn = level.tileOf(rays.i0), lastColumn = level.tileOf(rays.i1 - 1);
+    const int firstRow = level.tileOf(rays.j0), lastRow = level.tileOf(rays.j1 - 1);
+    const auto step = [&level](int ray)
+    { return static_cast<std::uint8_t>(ray >> level.unitShift); };
+    for (int row = firstRow; row <= lastRow; ++row)
     {
-      for (int i = level.beginOf(rays.i0); i < rays.i1; i += size)
+      const int j = row * level.size;
+      const std::uint8_t j0 = step(std::max(rays.j0 - j, 0));
+      const std::uint8_t j1 = step(std::min(rays.j1 - j, level.size) - 1);
+      for (int column = firstColumn; column <= lastColumn; ++column)
       {
-        const Window part = intersection(rays, this->Grid->window(level, i, j));
-        const auto step = [&level](int ray)
-        { return static_cast<std::uint8_t>(ray >> level.unitShift); };
-        this->Triangles.append(level.tileAt(i, j),
-          { triangle, step(part.i0 - i), step(part.i1 - 1 - i), step(part.j0 - j),
-            step(part.j1 - 1 - j) });
+        const int i = column * level.size;
+        this->Triangles.append(level.first + row * level.columns + column,
+          { triangle, step(std::max(rays.i0 - i, 0)), step(std::min(rays.i1 - i, level.size) - 1),
+            j0, j1, nearest });
       }
     }
   }
 
-  /// Adds a hit of the sample (i, j) to its tile.
-  void insertHit(int i, int j, std::uint32_t triangle, const Nearness& nearness)
+  /// A certain hit of the sample (i, j).
+  struct SampleHit
   {
-    const TileGrid::Level& level = this->Finest;
+    int i, j;
+    std::uint32_t triangle;
+    Nearness nearness;
+  };
+
+  /// Adds the hits hitOf(0) to hitOf(count - 1) to their tiles.
+  template <typename HitOf>
+  void insertHits(int count, const HitOf& hitOf)
+  {
+    const TileGrid::Level level = this->Finest; // in registers, whatever the loop stores
     if (level.shift >= 0)
     {
-      const int inTile = level.size - 1;
-      const int sample = ((j & inTile) << level.shift) + (i & inTile);
-      this->Hits.append(
-        level.tileAt(i, j), { triangle, static_cast<std::uint32_t>(sample), nearness });
+      const int columns = level.columns, shift = level.shift, inTile = level.size - 1;
+      for (int k = 0; k < count; ++k)
+      {
+        const SampleHit hit = hitOf(k);
+        const int sample = ((hit.j & inTile) << shift) + (hit.i & inTile);
+        this->Hits.append((hit.j >> shift) * columns + (hit.i >> shift),
+          { hit.triangle, static_cast<std::uint32_t>(sample), hit.nearness });
+      }
       return;
     }
-    const int sample = ((j - level.beginOf(j)) << this->RowShift) + (i - level.beginOf(i));
-    this->Hits.append(
-      level.tileAt(i, j), { triangle, static_cast<std::uint32_t>(sample), nearness });
+    const int rowShift = this->RowShift;
+    for (int k = 0; k < count; ++k)
+    {
+      const SampleHit hit = hitOf(k);
+      const int sample =
+        ((hit.j - level.beginOf(hit.j)) << rowShift) + (hit.i - level.beginOf(hit.i));
+      this->Hits.append(level.tileAt(hit.i, hit.j),
+        { hit.triangle, static_cast<std::uint32_t>(sample), hit.nearness });
+    }
+  }
+  void insertHit(const SampleHit& hit)
+  {
+    this->insertHits(1, [&hit](int) { return hit; });
   }
 
 private:

@@ -47,9 +47,8 @@ namespace lambent
 struct SmallTriangle
 {
   std::uint32_t number;
-  std::uint32_t part;      ///< index of its surface in the scene
-  std::int32_t corners[3]; ///< point numbers in that surface
-  std::int32_t i, j;       ///< the lower left sample of the box
+  std::int32_t corners[3]; ///< point numbers in its surface
+  LatticePosition first;   ///< the lower left sample of the box
 };
 
 /// Small triangles with boxes of one size, from surfaces without culling.
