@@ -29,7 +29,8 @@ class SpansFromVTK
 public:
   /// Tuples of three components; nullptr gives none.
   TupleSpan tuples(vtkDataArray* array);
-  /// Any number type and number of components; nullptr gives none.
+  /// Any number type and number of components; bits become bytes. nullptr gives none, no tuples an
+  /// empty span of that type.
   AttributeSpan attribute(vtkDataArray* array, bool isPerCell);
   /// nullptr, and no cells, give none.
   CellSpan cells(vtkCellArray* array);
