@@ -24,6 +24,7 @@ TESTS = (("Rendering/Core/", ("TestLambentArithmetic", "TestLambentCore", "TestL
          ("Filters/Base/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Rendering/", ("TestLambentRendering",)),
          ("Filters/Core/TriangleNormals", ("TestLambentRendering",)),
+         ("Filters/SpansFromVTK", ("TestLambentRendering",)),
          ("Filters/", ("TestLambentFilters",)))
 
 # What takes long comes last; what looks at progress or at memory, not at formulas, not at all.
