@@ -14,6 +14,7 @@
 #include "vtkIdList.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -171,6 +172,32 @@ inline vtkSmartPointer<vtkDataArray> addArray(vtkPolyData* mesh, int association
   }
   isOfPoints ? mesh->GetPointData()->AddArray(array) : mesh->GetCellData()->AddArray(array);
   return array;
+}
+
+/// Looks along -z at the unit squares [i, i + 1] x [j, j + 1] at z = 0, one for each pixel.
+inline void lookAtUnitSquares(Studio& studio)
+{
+  studio.camera->ParallelProjectionOn();
+  studio.camera->SetParallelScale(studio.height() / 2.0);
+  studio.look({ studio.width() / 2.0, studio.height() / 2.0, 5.0 },
+    { studio.width() / 2.0, studio.height() / 2.0, 0.0 });
+}
+
+inline double valueAt(Studio& studio, const char* name, vtkIdType pixel, int component = 0)
+{
+  return passOf(studio.tracer->GetOutput(), name)->GetComponent(pixel, component);
+}
+
+inline bool isNothing(vtkDataArray* array, vtkIdType pixel)
+{
+  for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+  {
+    if (!std::isnan(array->GetComponent(pixel, k)))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 #endif

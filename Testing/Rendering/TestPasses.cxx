@@ -1,88 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// "Depth", "Normals" and "Positions" beside the colours. That the kernels give the bits of the
-// definition is tested with the core; here they are compared with geometry.
+// "Depth" and "Positions" beside the colours, and what all passes have in common. That the kernels
+// give the bits of the definition is tested with the core; here they are compared with geometry.
 #include "Messages.h"
-#include "PassRays.h"
+#include "PassScene.h"
 
-#include "vtkFloatArray.h"
 #include "vtkStaticCellLocator.h"
+
+#include <array>
 
 namespace
 {
-constexpr int width = 61, height = 45;
-
-void wantAll(Studio& studio)
-{
-  studio.tracer->GenerateDepthOn();
-  studio.tracer->GenerateNormalsOn();
-  studio.tracer->GeneratePositionsOn();
-  studio.tracer->GenerateIdsOn();
-}
-
-Mesh moved(const Mesh& mesh, const Vec& by)
-{
-  std::vector<Vec> points = pointsOf(mesh);
-  for (Vec& point : points)
-  {
-    point += by;
-  }
-  Mesh result = Mesh::New();
-  result->ShallowCopy(mesh);
-  result->SetPoints(makeMesh(points, {})->GetPoints());
-  return result;
-}
-
-/// A ball in front of a box, at a place.
-struct BallAndBox
-{
-  Studio studio{ width, height };
-  std::vector<Mesh> meshes;
-  LongRays rays;
-
-  BallAndBox(const Vec& place, bool isParallel)
-  {
-    this->studio.look(place + Vec(2.0, 3.0, 4.0), place, { 0.25, 1.0, 0.0 });
-    this->studio.camera->SetParallelProjection(isParallel);
-    this->studio.camera->SetParallelScale(1.75);
-    this->meshes = { moved(makeSphere(12), place), moved(makeBox(0.9, 0.8, 1.3), place) };
-    for (const Mesh& mesh : this->meshes)
-    {
-      this->studio.tracer->AddInputDataObject(mesh);
-      this->rays.add(mesh);
-    }
-    wantAll(this->studio);
-    this->studio.tracer->Update();
-  }
-  vtkImageData* image() const { return this->studio.tracer->GetOutput(); }
-  Vec tuple(const char* name, vtkIdType pixel) const
-  {
-    Vec result(0.0);
-    passOf(this->image(), name)->GetTuple(pixel, &result.x);
-    return result;
-  }
-};
-
-template <typename Value>
-std::string bitsOfNan(int components)
-{
-  const Value nan = std::numeric_limits<Value>::quiet_NaN();
-  std::string bits;
-  for (int k = 0; k < components; ++k)
-  {
-    bits.append(reinterpret_cast<const char*>(&nan), sizeof(nan));
-  }
-  return bits;
-}
-
-void expectNothing(vtkImageData* image, vtkIdType pixel)
-{
-  EXPECT_EQ(tupleBits(passOf(image, "Depth"), pixel), bitsOfNan<float>(1));
-  EXPECT_EQ(tupleBits(passOf(image, "Normals"), pixel), bitsOfNan<float>(3));
-  EXPECT_EQ(tupleBits(passOf(image, "Positions"), pixel), bitsOfNan<double>(3));
-  EXPECT_EQ(passOf(image, "CellIds")->GetComponent(pixel, 0), -1.0);
-  EXPECT_EQ(passOf(image, "InputIds")->GetComponent(pixel, 0), -1.0);
-}
+constexpr int width = passWidth, height = passHeight;
 }
 
 // Also at the coordinates of maps.
@@ -166,115 +95,6 @@ TEST(Passes, CellIdsAndPositionsAreThoseOfACellLocator)
   }
   EXPECT_GT(hits, width * height / 4);
   EXPECT_GE(same, width * height - 4); // its tolerance differs at edges
-}
-
-// On the ball they are interpolated from the points, on the box those of its faces.
-TEST(Passes, NormalsAreTheUnitNormalsThatShadingUses)
-{
-  for (const bool isParallel : { false, true })
-  {
-    const BallAndBox scene(Vec(0.0), isParallel);
-    int onBall = 0, onBox = 0;
-    for (vtkIdType pixel = 0; pixel < width * height; ++pixel)
-    {
-      const Ray ray = scene.studio.ray(pixel % width, pixel / width);
-      const LongHit hit = scene.rays.find(ray);
-      if (!hit.isHit() || !hit.isCertain)
-      {
-        continue;
-      }
-      const Vec normal = scene.tuple("Normals", pixel);
-      EXPECT_NEAR(glm::length(normal), 1.0, 2e-7);
-      if (hit.input == 0)
-      {
-        vtkDataArray* const normals = scene.meshes[0]->GetPointData()->GetNormals();
-        const Vec sum(static_cast<double>(hit.interpolate(normals, 0)),
-          static_cast<double>(hit.interpolate(normals, 1)),
-          static_cast<double>(hit.interpolate(normals, 2)));
-        EXPECT_LT(glm::distance(normal, glm::normalize(sum)), 2e-7);
-        EXPECT_LT(glm::distance(normal, glm::normalize(scene.tuple("Positions", pixel))), 0.03);
-        ++onBall;
-      }
-      else
-      {
-        const Vec axis = glm::abs(normal);
-        EXPECT_NEAR(std::max({ axis.x, axis.y, axis.z }), 1.0, 1e-7);
-        EXPECT_LT(glm::dot(normal, ray.direction), 0.0);
-        ++onBox;
-      }
-    }
-    EXPECT_GT(onBall, 50);
-    EXPECT_GT(onBox, 300);
-  }
-}
-
-// Looking into a tube: its inside is seen from behind.
-TEST(Passes, NormalsFaceTheViewerWithTwoSidedLighting)
-{
-  for (const bool isTwoSided : { true, false })
-  {
-    for (const int interpolation : { VTK_FLAT, VTK_PHONG })
-    {
-      Studio studio(width, height);
-      studio.look({ 0.5, 5.0, 0.25 }, { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
-      studio.property->SetInterpolation(interpolation);
-      studio.tracer->SetTwoSidedLighting(isTwoSided);
-      studio.tracer->SetInputData(makeCylinder(24));
-      wantAll(studio);
-      studio.tracer->Update();
-      int inside = 0;
-      for (vtkIdType pixel = 0; pixel < width * height; ++pixel)
-      {
-        Vec position, normal;
-        passOf(studio.tracer->GetOutput(), "Positions")->GetTuple(pixel, &position.x);
-        passOf(studio.tracer->GetOutput(), "Normals")->GetTuple(pixel, &normal.x);
-        const Vec outwards(position.x, 0.0, position.z);
-        const Vec direction = studio.ray(pixel % width, pixel / width).direction;
-        if (!std::isnan(position.x) && glm::dot(outwards, direction) > 0.3)
-        {
-          EXPECT_EQ(glm::dot(normal, outwards) < 0.0, isTwoSided);
-          ++inside;
-        }
-      }
-      EXPECT_GT(inside, 100);
-    }
-  }
-}
-
-// Flat and unlit surfaces have the normals of their faces, even if they have point normals.
-TEST(Passes, NormalsOfFlatAndUnlitSurfacesAreThoseOfTheFaces)
-{
-  const Mesh slanted =
-    makeMesh({ { -9.0, -9.0, -9.0 }, { 9.0, -9.0, 9.0 }, { 9.0, 9.0, 9.0 }, { -9.0, 9.0, -9.0 } },
-      { { 0, 1, 2, 3 } });
-  setPointNormals(slanted, std::vector<Vec>(4, Vec(0.0, 0.0, 1.0)));
-  for (const bool isLit : { true, false })
-  {
-    Studio studio(5, 5);
-    studio.property->SetInterpolation(isLit ? VTK_FLAT : VTK_PHONG);
-    studio.property->SetLighting(isLit);
-    studio.tracer->SetInputData(slanted);
-    wantAll(studio);
-    studio.tracer->Update();
-    Vec normal;
-    passOf(studio.tracer->GetOutput(), "Normals")->GetTuple(12, &normal.x);
-    EXPECT_LT(glm::distance(normal, glm::normalize(Vec(-1.0, 0.0, 1.0))), 1e-7);
-  }
-}
-
-TEST(Passes, NormalsThatAreZeroAreNotANumber)
-{
-  const Mesh square = makeSquare();
-  setPointNormals(square, std::vector<Vec>(4, Vec(0.0)));
-  Studio studio(3, 3);
-  studio.tracer->SetInputData(square);
-  wantAll(studio);
-  studio.tracer->Update();
-  for (vtkIdType pixel = 0; pixel < 9; ++pixel)
-  {
-    EXPECT_EQ(tupleBits(passOf(studio.tracer->GetOutput(), "Normals"), pixel), bitsOfNan<float>(3));
-    EXPECT_EQ(passOf(studio.tracer->GetOutput(), "Depth")->GetComponent(pixel, 0), 5.0);
-  }
 }
 
 TEST(Passes, HaveTheirNamesTypesAndSizes)
