@@ -6,8 +6,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
-#include <optional>
-
 namespace lambent::adapters
 {
 namespace
@@ -18,13 +16,9 @@ IndexSpan toIndices(vtkDataArray* array)
     static_cast<std::size_t>(array->GetNumberOfValues()) };
 }
 
-/// The type of an array's numbers; none for types that must be converted, like bits.
-std::optional<AttributeType> attributeType(vtkDataArray* array)
+/// The type of an array's numbers, which are not bits.
+AttributeType attributeType(vtkDataArray* array)
 {
-  if (array->GetDataType() == VTK_BIT)
-  {
-    return std::nullopt;
-  }
   if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)
   {
     return array->GetDataType() == VTK_FLOAT ? AttributeType::Float : AttributeType::Double;
@@ -38,10 +32,8 @@ std::optional<AttributeType> attributeType(vtkDataArray* array)
       return isSigned ? AttributeType::Int16 : AttributeType::UInt16;
     case 4:
       return isSigned ? AttributeType::Int32 : AttributeType::UInt32;
-    case 8:
-      return isSigned ? AttributeType::Int64 : AttributeType::UInt64;
     default:
-      return std::nullopt;
+      return isSigned ? AttributeType::Int64 : AttributeType::UInt64;
   }
 }
 
@@ -75,20 +67,21 @@ TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
 
 AttributeSpan SpansFromVTK::attribute(vtkDataArray* array, bool isPerCell)
 {
-  if (!array || array->GetNumberOfTuples() == 0)
+  if (!array)
   {
     return {};
   }
-  std::optional<AttributeType> type = attributeType(array);
-  if (!type || !array->HasStandardMemoryLayout())
+  const bool isBits = array->GetDataType() == VTK_BIT;
+  if (isBits || !array->HasStandardMemoryLayout())
   {
-    vtkNew<vtkDoubleArray> copy;
+    const auto copy = vtkSmartPointer<vtkDataArray>::Take(
+      vtkDataArray::CreateDataArray(isBits ? VTK_UNSIGNED_CHAR : array->GetDataType()));
     copy->DeepCopy(array);
     this->Converted.emplace_back(copy);
     array = copy;
-    type = AttributeType::Double;
   }
-  return { array->GetVoidPointer(0), *type, array->GetNumberOfComponents(), isPerCell };
+  const void* const data = array->GetNumberOfTuples() > 0 ? array->GetVoidPointer(0) : nullptr;
+  return { data, attributeType(array), array->GetNumberOfComponents(), isPerCell };
 }
 
 CellSpan SpansFromVTK::cells(vtkCellArray* array)

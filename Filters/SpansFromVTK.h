@@ -29,7 +29,8 @@ class SpansFromVTK
 public:
   /// Tuples of three components; no tuples for nullptr.
   TupleSpan tuples(vtkDataArray* array);
-  /// Any number type and number of components; none for nullptr.
+  /// Any number type and number of components; bits become bytes. None for nullptr; an empty span
+  /// of that type if there are no tuples.
   AttributeSpan attribute(vtkDataArray* array, bool isPerCell);
   /// No cells for nullptr.
   CellSpan cells(vtkCellArray* array);

@@ -149,15 +149,21 @@ void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& a
   }
 }
 
-/// Floats, unless the numbers of one input do not fit into them.
+/// Floats, unless the numbers of one input do not fit into them. Inputs without values count only
+/// if there are no others.
 InputSurfaces::ArrayForm InputSurfaces::formOf(std::size_t attribute) const
 {
+  const auto valuesOf = [attribute](const auto& surface) -> const AttributeSpan&
+  { return surface->surface().attributes[attribute]; };
+  const bool hasValues = std::any_of(this->Surfaces.begin(), this->Surfaces.end(),
+    [&](const auto& surface) { return static_cast<bool>(valuesOf(surface)); });
   ArrayForm form;
   for (const auto& surface : this->Surfaces)
   {
-    if (const AttributeSpan& values = surface->surface().attributes[attribute])
+    const AttributeSpan& values = valuesOf(surface);
+    if (values || !hasValues)
     {
-      form.components = values.components;
+      form.components = std::max(form.components, values.components);
       form.isDouble = form.isDouble ||
         (values.type >= AttributeType::Int32 && values.type != AttributeType::Float);
     }

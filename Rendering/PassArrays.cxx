@@ -44,6 +44,30 @@ std::string listArrays(const SceneSettings& settings, int association)
   }
   return list;
 }
+
+/// What is wrong with the names or associations, and the remedy; empty if nothing.
+std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
+{
+  std::set<std::string> taken{ "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" };
+  for (const SceneSettings::PassArray& array : arrays)
+  {
+    if (array.association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+      array.association != vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      return "AddPassArray() was given the association " + std::to_string(array.association) +
+        " for \"" + array.name +
+        "\"; it takes vtkDataObject::FIELD_ASSOCIATION_POINTS (0) or FIELD_ASSOCIATION_CELLS (1). "
+        "Call RemoveAllPassArrays() and add it again.";
+    }
+    if (!taken.insert(array.name).second)
+    {
+      return "AddPassArray() was given the " + describe(array) +
+        ", but the picture has another array of that name. Give the input's array a name of its "
+        "own, and call RemoveAllPassArrays().";
+    }
+  }
+  return "";
+}
 }
 
 std::string describe(const SceneSettings::PassArray& array)
@@ -54,23 +78,10 @@ std::string describe(const SceneSettings::PassArray& array)
 
 void checkNames(const std::vector<SceneSettings::PassArray>& arrays)
 {
-  std::set<std::string> taken{ "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" };
-  for (const SceneSettings::PassArray& array : arrays)
+  const std::string defect = describeDefect(arrays);
+  if (!defect.empty())
   {
-    if (array.association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
-      array.association != vtkDataObject::FIELD_ASSOCIATION_CELLS)
-    {
-      throw std::runtime_error("AddPassArray() was given the association " +
-        std::to_string(array.association) + " for \"" + array.name +
-        "\"; it takes vtkDataObject::FIELD_ASSOCIATION_POINTS (0) or FIELD_ASSOCIATION_CELLS (1). "
-        "Call RemoveAllPassArrays() and add it again.");
-    }
-    if (!taken.insert(array.name).second)
-    {
-      throw std::runtime_error("AddPassArray() was given the " + describe(array) +
-        ", but the picture has another array of that name. Give the input's array a name of its "
-        "own, and call RemoveAllPassArrays().");
-    }
+    throw std::runtime_error(defect);
   }
 }
 
@@ -82,6 +93,10 @@ vtkDataArray* findArray(vtkPolyData* input, const SceneSettings::PassArray& arra
 std::vector<std::string> describeMissing(const SceneSettings& settings)
 {
   std::vector<std::string> messages;
+  if (!describeDefect(settings.passArrays).empty())
+  {
+    return messages; // there will be an error, and no picture
+  }
   for (const SceneSettings::PassArray& array : settings.passArrays)
   {
     const bool isFound = std::any_of(settings.inputs.begin(), settings.inputs.end(),

@@ -28,7 +28,7 @@ vtkDataArray* findArray(vtkPolyData* input, const SceneSettings::PassArray& arra
 /// "point array "T"" or "cell array "T"".
 std::string describe(const SceneSettings::PassArray& array);
 
-/// Warnings about arrays that no input has.
+/// Warnings about arrays that no input has. None if checkNames() would throw.
 std::vector<std::string> describeMissing(const SceneSettings& settings);
 }
 

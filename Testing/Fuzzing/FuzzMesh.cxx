@@ -182,6 +182,18 @@ vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input)
   return mesh;
 }
 
+void addFuzzArrays(FuzzInput& input, vtkPolyData* mesh)
+{
+  const auto add = [&](const char* name, vtkIdType count, vtkDataSetAttributes* data)
+  {
+    const auto array = makeTuples(input, static_cast<int>(count));
+    array->SetName(name);
+    data->AddArray(array);
+  };
+  add("Heat", mesh->GetNumberOfPoints(), mesh->GetPointData());
+  add("Part", mesh->GetNumberOfCells(), mesh->GetCellData());
+}
+
 ErrorCount::ErrorCount(vtkAlgorithm* algorithm)
 {
   vtkNew<SilentWindow> silence;

@@ -20,6 +20,9 @@ class vtkPolyData;
 /// cell data of any length and type.
 vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input);
 
+/// Adds a point array "Heat" and a cell array "Part" of any type, of the right length.
+void addFuzzArrays(FuzzInput& input, vtkPolyData* mesh);
+
 /// Counts the errors of an algorithm. The first instance silences all output of VTK.
 class ErrorCount
 {

@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkLambentRayTracer: any settings in any order, and any inputs. After each Update() there is an
 // error and an empty output, or the whole picture that brute force gives for the same scene.
+#include "FuzzChanges.h"
 #include "FuzzMesh.h"
+#include "FuzzReference.h"
 
-#include "Render.h"
-#include "SceneFromSettings.h"
-#include "Vec3FromVTK.h"
 #include "VectorTarget.h"
 
 #include "vtkCamera.h"
-#include "vtkCollectionRange.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -25,107 +23,12 @@
 #include "vtkTrivialProducer.h"
 
 #include <array>
-#include <exception>
 #include <vector>
 
 namespace
 {
 constexpr int mostPixels = 48; // along a side
 constexpr int mostInputs = 3;
-
-void change(FuzzInput& input, vtkCamera* camera)
-{
-  std::array<double, 3> v{ input.number(), input.number(), input.number() };
-  switch (input.choice(9))
-  {
-    case 0:
-      camera->SetPosition(v.data());
-      break;
-    case 1:
-      camera->SetFocalPoint(v.data());
-      break;
-    case 2:
-      camera->SetViewUp(v.data());
-      break;
-    case 3:
-      camera->SetViewAngle(v[0] * 30.0);
-      break;
-    case 4:
-      camera->SetParallelScale(v[0]);
-      break;
-    case 5:
-      camera->SetParallelProjection(input.flag());
-      break;
-    case 6:
-      camera->SetUseHorizontalViewAngle(input.flag());
-      break;
-    case 7:
-      camera->SetWindowCenter(v[0], v[1]);
-      break;
-    default:
-      camera->SetViewShear(v.data()); // not supported: a warning
-  }
-}
-
-void change(FuzzInput& input, vtkLight* light)
-{
-  const std::array<double, 3> v{ input.number(), input.number(), input.number() };
-  switch (input.choice(10))
-  {
-    case 0:
-      light->SetLightType(1 + input.choice(3));
-      break;
-    case 1:
-      light->SetPosition(v.data());
-      break;
-    case 2:
-      light->SetFocalPoint(v.data());
-      break;
-    case 3:
-      light->SetPositional(input.flag());
-      break;
-    case 4:
-      light->SetColor(v.data());
-      break;
-    case 5:
-      light->SetIntensity(v[0]);
-      break;
-    case 6:
-      light->SetConeAngle(v[0] * 30.0);
-      light->SetExponent(v[1]);
-      break;
-    case 7:
-      light->SetAttenuationValues(v.data());
-      break;
-    case 8:
-      light->SetSwitch(input.flag());
-      break;
-    default:
-    {
-      vtkNew<vtkMatrix4x4> matrix;
-      for (int k = 0; k < 3; ++k)
-      {
-        matrix->SetElement(k, input.choice(4), v[k]);
-      }
-      light->SetTransformMatrix(input.flag() ? matrix.Get() : nullptr);
-    }
-  }
-}
-
-void change(FuzzInput& input, vtkProperty* property)
-{
-  property->SetInterpolation(input.choice(3));
-  property->SetLighting(!input.seldom(32));
-  property->SetColor(input.within(0.0, 1.0), input.within(0.0, 1.0), input.within(0.0, 1.0));
-  property->SetDiffuse(input.within(0.0, 1.0));
-  property->SetAmbient(input.within(0.0, 1.0));
-  property->SetFrontfaceCulling(input.seldom());
-  property->SetBackfaceCulling(input.seldom());
-  if (input.seldom())
-  {
-    property->SetDiffuseColor(input.number(), 0.0, 1.0);
-  }
-}
 
 class Session
 {
@@ -136,6 +39,7 @@ public:
     , Threads(this->Input.seldom(32) ? 2 + this->Input.choice(2) : 1)
   {
     this->Tracer->SetSupersampling(1 + this->Input.choice(4));
+    this->setFilm(this->Input.byte());
     this->Tracer->SetImageSize(
       1 + this->Input.choice(mostPixels), 1 + this->Input.choice(mostPixels));
     this->addInput();
@@ -178,6 +82,39 @@ private:
         break;
       default:
         this->update();
+    }
+  }
+
+  /// Sets all that pictures can have beside colours; 0: nothing.
+  void setFilm(int bits)
+  {
+    this->Tracer->SetOutputAlpha((bits & 1) != 0);
+    this->Tracer->SetGenerateDepth((bits & 2) != 0);
+    this->Tracer->SetGenerateNormals((bits & 4) != 0);
+    this->Tracer->SetGeneratePositions((bits & 8) != 0);
+    this->Tracer->SetGenerateIds((bits & 16) != 0);
+    this->Tracer->SetBackgroundImage((bits & 32) != 0 ? makeFuzzImage(this->Input).Get() : nullptr);
+    this->HasArrays = (bits & 64) != 0;
+    this->Tracer->RemoveAllPassArrays();
+    this->PassArrays.clear();
+    if ((bits & 128) != 0)
+    {
+      this->addPassArray(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Heat");
+      this->addPassArray(vtkDataObject::FIELD_ASSOCIATION_CELLS, "Part");
+      if (this->Input.seldom(16))
+      {
+        static const char* const names[] = { "Depth", "Heat", "Other", "" };
+        this->addPassArray(this->Input.choice(3), names[this->Input.choice(4)]);
+      }
+    }
+  }
+
+  void addPassArray(int association, const std::string& name)
+  {
+    this->Tracer->AddPassArray(association, name.c_str());
+    if (!name.empty()) // it is refused at once
+    {
+      this->PassArrays.push_back({ association, name });
     }
   }
 
@@ -225,7 +162,14 @@ private:
   void changeSettings()
   {
     FuzzInput& input = this->Input;
-    switch (input.choice(7))
+    const int kind = input.byte();
+    constexpr int firstOfFilm = 252;
+    if (kind >= firstOfFilm)
+    {
+      this->setFilm(input.byte());
+      return;
+    }
+    switch (kind % 7)
     {
       case 0:
         this->changeImageSize();
@@ -274,6 +218,10 @@ private:
     if (!this->Input.seldom())
     {
       this->Meshes.back() = makeFuzzMesh(this->Input);
+      if (this->HasArrays)
+      {
+        addFuzzArrays(this->Input, this->Meshes.back());
+      }
     }
     vtkNew<vtkTrivialProducer> producer;
     producer->SetOutput(this->Meshes.back());
@@ -334,71 +282,10 @@ private:
     const int* const made = output->GetExtent();
     require(std::equal(extent.begin(), extent.end(), made), "the picture has its extent");
     require(colors && colors->GetNumberOfTuples() == output->GetNumberOfPoints() &&
-        colors->GetNumberOfComponents() == 3 &&
+        colors->GetNumberOfComponents() == (this->Tracer->GetOutputAlpha() ? 4 : 3) &&
         colors->GetDataType() == this->Tracer->GetOutputScalarType(),
       "there is a colour for each pixel");
-    this->compare(extent, colors);
-  }
-
-  void compare(const std::array<int, 6>& extent, vtkDataArray* colors)
-  {
-    const lambent::Parallel one;
-    lambent::Image image;
-    image.width = this->Tracer->GetImageSize()[0];
-    image.height = this->Tracer->GetImageSize()[1];
-    image.part = { extent[0], extent[1] + 1, extent[2], extent[3] + 1 };
-    image.samples = this->Tracer->GetSupersampling();
-    std::vector<float> floats(colors->GetNumberOfValues());
-    std::vector<unsigned char> bytes(colors->GetNumberOfValues());
-    const bool isFloat = colors->GetDataType() == VTK_FLOAT;
-    if (isFloat)
-    {
-      image.floats = floats.data();
-    }
-    else
-    {
-      image.bytes = bytes.data();
-    }
-    const lambent::adapters::SceneSettings settings = this->settings();
-    const lambent::adapters::SceneFromSettings scene(settings, one);
-    const lambent::Report report =
-      render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.samplePart()));
-    require(report.outcome == lambent::Outcome::Done, "brute force can draw it, too");
-    for (std::size_t k = 0; k < floats.size(); ++k)
-    {
-      const double expected = isFloat ? static_cast<double>(floats[k]) : bytes[k];
-      const double found = colors->GetComponent(static_cast<vtkIdType>(k / 3), k % 3);
-      require(found == expected || (std::isnan(found) && std::isnan(expected)),
-        "each pixel is that of brute force");
-    }
-  }
-
-  lambent::adapters::SceneSettings settings() const
-  {
-    vtkLambentRayTracer* const tracer = this->Tracer;
-    lambent::adapters::SceneSettings result;
-    for (int k = 0; k < static_cast<int>(this->Meshes.size()); ++k)
-    {
-      result.inputs.push_back({ this->Meshes[k], tracer->GetInputProperty(k) });
-    }
-    result.camera = tracer->GetCamera();
-    for (vtkLight* light : vtk::Range(tracer->GetLights()))
-    {
-      result.lights.push_back(light);
-    }
-    result.property = tracer->GetProperty();
-    result.usePointNormals = tracer->GetUsePointNormals() != 0;
-    result.splitting = tracer->GetSplitting() != 0;
-    result.featureAngle = tracer->GetFeatureAngle();
-    tracer->GetImageSize(result.imageSize);
-    result.ambientModel = tracer->GetAmbientModel() == vtkLambentRayTracer::SCENE
-      ? lambent::AmbientModel::Scene
-      : lambent::AmbientModel::PerLight;
-    result.twoSidedLighting = tracer->GetTwoSidedLighting() != 0;
-    result.background = lambent::adapters::vec3FromVTK(tracer->GetBackground());
-    result.backgroundTop = lambent::adapters::vec3FromVTK(
-      tracer->GetGradientBackground() ? tracer->GetBackground2() : tracer->GetBackground());
-    return result;
+    compareWithBruteForce({ this->Tracer, this->Meshes, this->PassArrays }, extent);
   }
 
   FuzzInput Input;
@@ -406,6 +293,8 @@ private:
   ErrorCount Count;
   int Threads;
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
+  bool HasArrays = false; ///< new inputs get some
+  std::vector<lambent::adapters::SceneSettings::PassArray> PassArrays;
 };
 }
 

@@ -49,6 +49,14 @@ FILM = "Rendering/Core/Film/Film.cxx"
 BACKGROUND = "Rendering/Core/Film/Background.cxx"
 RUN_RANGE = "Rendering/Core/SurfacePoints/RunRange.cxx"
 HITS = "Rendering/Core/Frame/VectorHits.h"
+FILM_COLORS = "Rendering/Core/Film/Film.h"
+POINT_KERNEL = "Rendering/Core/SurfacePoints/PointKernel.cxx"
+PASSES = "Rendering/Core/PassPainting.cxx"
+PASS_STORE = "Rendering/Core/Film/PassStore.h"
+ATTRIBUTE = "Filters/Base/AttributeSpan.h"
+SPANS = "Filters/SpansFromVTK.cxx"
+INPUTS = "Rendering/InputSurfaces.cxx"
+PASS_ARRAYS = "Rendering/PassArrays.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -194,6 +202,66 @@ MUTATIONS = [
     ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
      "points that are located together lie side by side"),
     (BACKGROUND, "(j + 0.5)", "(j + 0.0)", "the gradient is that of the rows' centres"),
+    # Alpha and the background image.
+    (FILM_COLORS, "FilmColor{ divided(color.color, color.alpha), color.alpha }", "color",
+     "colours are divided by alpha"),
+    (FILM, "alpha > 0.0 ? channels[channel][k] / alpha : 0.0", "channels[channel][k]",
+     "the kernel's colours are divided by alpha"),
+    (FILM, "alpha > 0.0 ? channels[channel][k] / alpha : 0.0", "channels[channel][k] / alpha",
+     "colours are 0 where alpha is"),
+    (PAINTING, "== noTriangle ? 0.0 : 1.0", "== noTriangle ? 1.0 : 1.0", "samples that hit nothing have alpha 0"),
+    (BYTES, "hn::LoadU(d8, bytes[3] + i)", "hn::LoadU(d8, bytes[2] + i)", "the kernel stores alpha"),
+    (BACKGROUND, "? Vec3(0.0)", "? scene.background", "pictures with alpha have no background"),
+    (BACKGROUND, "scene.backgroundImage.pixels && !image.hasAlpha", "scene.backgroundImage.pixels",
+     "pictures with alpha have no image behind them"),
+    (BACKGROUND, "(k + 0.5) * pixels / samples - 0.5", "(k + 0.5) * pixels / samples",
+     "colours are those of the centres of the image's pixels"),
+    (BACKGROUND, "(k + 0.5) * pixels / samples - 0.5", "k * static_cast<double>(pixels) / samples",
+     "samples lie at their centres on the background image"),
+    (BACKGROUND, "std::min(first + 1.0, last)", "std::max(first - 1.0, 0.0)",
+     "background images are interpolated with the next pixel"),
+    (BACKGROUND, "fraction == 0.0 ? first : first", "first", "a weight of 0 takes nothing of NaN"),
+    (BACKGROUND, "base * (1.0 - alpha)", "base", "opaque background images hide the gradient"),
+    (BACKGROUND, "stored / 255.0", "stored / 256.0", "bytes of background images"),
+    # Passes.
+    (TRIANGLE_POINTS, "(at(0) * weights.x + at(1) * weights.y) + at(2) * weights.z",
+     "at(0) * weights.x + (at(1) * weights.y + at(2) * weights.z)", "attributes sum in their order"),
+    (TRIANGLE_POINTS, "at(0) * weights.x + at(1) * weights.y", "at(1) * weights.x + at(0) * weights.y",
+     "attributes go with their corners"),
+    (TRIANGLE_POINTS, "static_cast<std::size_t>(surface.cellOf(triangle))", "triangle",
+     "attributes of cells are those of the input's cells"),
+    (TRIANGLE_POINTS, "hit.e1 / hit.sum, hit.e2 / hit.sum", "hit.e2 / hit.sum, hit.e1 / hit.sum",
+     "weights go with their corners"),
+    (VECTOR_POINTS, "hn::Div(hit.e1, hit.sum), hn::Div(hit.e2, hit.sum)",
+     "hn::Div(hit.e2, hit.sum), hn::Div(hit.e1, hit.sum)", "the kernel's weights go with their corners"),
+    (ATTRIBUTE, "static_cast<std::size_t>(this->components) + component;",
+     "static_cast<std::size_t>(this->components);", "each component of an attribute"),
+    (ATTRIBUTE, "return this->value<std::int8_t>(k);", "return this->value<std::uint8_t>(k);",
+     "bytes with a sign"),
+    (PASSES, "for (int i = n / 2; i < window.width(); i += n)", "for (int i = 0; i < window.width(); i += n)",
+     "passes show the middle sample"),
+    (PASSES, "row[(begin + i) * n + n / 2]", "row[(begin + i) * n]", "the kernel's middle sample"),
+    (PASSES, "xs[i] = samples.xs()[(begin + i) * n + n / 2];", "xs[i] = samples.xs()[(begin + i) * n];",
+     "the ray of the kernel's middle sample"),
+    (PASSES, "normalized(point.normal)[k]", "point.normal[k]", "normals have length 1"),
+    (POINT_KERNEL, "hn::Sqrt(dot(point.normal, point.normal))", "hn::Set(d, 1.0)",
+     "the kernel's normals have length 1"),
+    (PASSES, "(this->Points.mesh().frame().eye + point.position)[k]", "point.position[k]",
+     "positions are in the world"),
+    (POINT_KERNEL, "store(eye + point.position,", "store(point.position,", "the kernel's positions are in the world"),
+    (POINT_KERNEL, "hn::BlendedStore(v.y, isWanted, d, rows[1] + place);", "hn::StoreU(v.y, d, rows[1] + place);",
+     "what another range hit keeps its point"),
+    (PASSES, "this->storeNothing(samples.i0 / n, j, samples.width() / n);", "",
+     "tiles that nothing touches are NaN"),
+    (PASSES, "this->storeNothing(piece.i, piece.j, count);", "", "pieces that hit nothing are NaN"),
+    (PASS_STORE, "std::isnan(value) ? std::numeric_limits<Value>::quiet_NaN() : static_cast<Value>(value)",
+     "static_cast<Value>(value)", "there is one NaN"),
+    (SPANS, "isBits ? VTK_UNSIGNED_CHAR : array->GetDataType()", "VTK_DOUBLE", "copies keep the type"),
+    (INPUTS, "values.type >= AttributeType::Int32 && values.type != AttributeType::Float",
+     "values.type == AttributeType::Double", "integers that float cannot hold become double"),
+    (INPUTS, "if (values || !hasValues)", "if (values)", "arrays of empty inputs keep their form"),
+    (PASS_ARRAYS, "if (!describeDefect(settings.passArrays).empty())", "if (false)",
+     "what is refused is not also missing"),
     # Elementary functions.
     (ELEMENTARY, "{ 0.017453292519943295, 2.9486522708701687e-19 }", "{ 0.017453292519943295, 0.0 }",
      "radians have a low part"),

@@ -24,6 +24,7 @@ TESTS = (("Rendering/Core/", ("TestLambentArithmetic", "TestLambentCore", "TestL
          ("Filters/Base/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Rendering/", ("TestLambentRendering",)),
          ("Filters/Core/TriangleNormals", ("TestLambentRendering",)),
+         ("Filters/SpansFromVTK", ("TestLambentRendering",)),
          ("Filters/", ("TestLambentFilters",)))
 
 # Slow tests run last. Tests of progress or memory do not check formulas, so they do not run.

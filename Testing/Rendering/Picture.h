@@ -44,15 +44,18 @@ public:
     Vec color(std::numeric_limits<double>::quiet_NaN());
     if (!this->empty())
     {
-      this->colors()->GetTuple(this->index(i, j), &color.x);
+      color = this->colorOf(this->index(i, j));
     }
     return color;
   }
 
+  /// The alpha of a pixel of a picture that has it.
+  double alpha(int i, int j) const { return this->colors()->GetComponent(this->index(i, j), 3); }
+
   /// The bits of the pixels [i0, i1) of a row.
   std::string bits(int i0, int i1, int j) const
   {
-    const int pixel = 3 * this->colors()->GetDataTypeSize();
+    const int pixel = this->colors()->GetNumberOfComponents() * this->colors()->GetDataTypeSize();
     const char* data = static_cast<const char*>(this->colors()->GetVoidPointer(0));
     return std::string(data + pixel * this->index(i0, j), pixel * (i1 - i0));
   }
@@ -72,14 +75,17 @@ public:
     int pixels = this->empty() ? -1 : 0;
     for (vtkIdType p = 0; !this->empty() && p < this->colors()->GetNumberOfTuples(); ++p)
     {
-      Vec found;
-      this->colors()->GetTuple(p, &found.x);
-      pixels += found == color;
+      pixels += this->colorOf(p) == color;
     }
     return pixels;
   }
 
 private:
+  Vec colorOf(vtkIdType pixel) const
+  {
+    return { this->colors()->GetComponent(pixel, 0), this->colors()->GetComponent(pixel, 1),
+      this->colors()->GetComponent(pixel, 2) };
+  }
   vtkIdType index(int i, int j) const
   {
     return static_cast<vtkIdType>(j - this->Extent[2]) * this->width() + (i - this->Extent[0]);

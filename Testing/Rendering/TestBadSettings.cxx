@@ -2,44 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An unusable setting causes an error with its name and the remedy. The output is then empty, and
 // the next good picture is right.
+#include "ExpectedErrors.h"
 #include "Meshes.h"
-#include "Messages.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 
-#include <functional>
 #include <limits>
 
 namespace
 {
 const double notANumber = std::numeric_limits<double>::quiet_NaN();
 const double infinite = std::numeric_limits<double>::infinity();
-
-using Change = std::function<void(Studio&)>;
-
-/// Renders a good picture. `spoil` makes a setting bad and `mend` restores it: there must be an
-/// error with these parts, then the same picture again.
-void expectError(const Change& spoil, const std::vector<std::string>& parts, const Change& mend)
-{
-  SCOPED_TRACE(parts.front());
-  Studio studio;
-  Messages messages(studio.tracer);
-  studio.tracer->SetInputData(makeSphere(6));
-  const Picture expected = render(studio.tracer);
-  spoil(studio);
-  studio.tracer->Update();
-  expectMessage(messages.errors(), parts);
-  EXPECT_TRUE(messages.warnings().empty());
-  EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(studio.tracer->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  mend(studio);
-  messages.clear();
-  const Picture again = render(studio.tracer);
-  EXPECT_SAME_BITS(expected, again);
-  EXPECT_EQ(messages.errors(), std::vector<std::string>());
-  EXPECT_EQ(messages.executive(), std::vector<std::string>());
-}
 }
 
 TEST(BadSettings, ImageSize)

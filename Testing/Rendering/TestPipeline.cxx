@@ -38,6 +38,10 @@ TEST(Pipeline, RendersAgainExactlyWhenSomethingHasChanged)
   vtkNew<vtkLight> light;
   vtkNew<vtkMatrix4x4> matrix;
   vtkNew<vtkProperty> own;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(100.0);
   light->SetLightTypeToSceneLight();
   light->SetTransformMatrix(matrix);
   vtkLambentRayTracer* tracer = studio.tracer;
@@ -68,6 +72,16 @@ TEST(Pipeline, RendersAgainExactlyWhenSomethingHasChanged)
     { "GradientBackground", [&]() { tracer->GradientBackgroundOn(); } },
     { "Background2", [&]() { tracer->SetBackground2(0.1, 0.2, 0.3); } },
     { "OutputScalarType", [&]() { tracer->SetOutputScalarTypeToUnsignedChar(); } },
+    { "BackgroundImage", [&]() { tracer->SetBackgroundImage(image); } },
+    { "the image behind", [&]() { image->GetPointData()->GetScalars()->Modified(); } },
+    { "no BackgroundImage", [&]() { tracer->SetBackgroundImage(nullptr); } },
+    { "OutputAlpha", [&]() { tracer->OutputAlphaOn(); } },
+    { "GenerateDepth", [&]() { tracer->GenerateDepthOn(); } },
+    { "GenerateNormals", [&]() { tracer->GenerateNormalsOn(); } },
+    { "GeneratePositions", [&]() { tracer->GeneratePositionsOn(); } },
+    { "GenerateIds", [&]() { tracer->GenerateIdsOn(); } },
+    { "PassArray", [&]() { tracer->AddPassArray(0, "Heat"); } },
+    { "no PassArray", [&]() { tracer->RemoveAllPassArrays(); } },
     { "UsePointNormals", [&]() { tracer->UsePointNormalsOff(); } },
     { "FeatureAngle", [&]() { tracer->SetFeatureAngle(15.0); } },
     { "Splitting", [&]() { tracer->SplittingOff(); } },
@@ -98,6 +112,10 @@ TEST(Pipeline, SameSettingsAreNoChange)
   studio.tracer->SetImageSize(32, 24);
   studio.tracer->SetBackground(-1.0, -2.0, -3.0);
   studio.tracer->SetOutputScalarTypeToFloat();
+  studio.tracer->SetBackgroundImage(nullptr);
+  studio.tracer->OutputAlphaOff();
+  studio.tracer->GenerateDepthOff();
+  studio.tracer->RemoveAllPassArrays();
   studio.tracer->Update();
   EXPECT_EQ(executions.count(), 1);
 }

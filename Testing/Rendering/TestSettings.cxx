@@ -27,6 +27,11 @@ TEST(Settings, Defaults)
   EXPECT_TRUE(tracer->GetSplitting());
   EXPECT_EQ(tracer->GetFeatureAngle(), 30.0);
   EXPECT_FALSE(tracer->GetGenerateIds());
+  EXPECT_FALSE(tracer->GetGenerateDepth());
+  EXPECT_FALSE(tracer->GetGenerateNormals());
+  EXPECT_FALSE(tracer->GetGeneratePositions());
+  EXPECT_FALSE(tracer->GetOutputAlpha());
+  EXPECT_EQ(tracer->GetBackgroundImage(), nullptr);
   EXPECT_GE(vtkLambentRayTracer::GetImageContractVersion(), 1);
 }
 
@@ -66,10 +71,12 @@ TEST(Settings, ObjectsAreHeldWhileTheyAreSet)
   vtkNew<vtkCamera> camera;
   vtkNew<vtkProperty> property;
   vtkNew<vtkLight> light;
-  const std::vector<vtkObject*> objects{ camera, property, light };
+  vtkNew<vtkImageData> image;
+  const std::vector<vtkObject*> objects{ camera, property, light, image };
   tracer->SetCamera(camera);
   tracer->SetProperty(property);
   tracer->AddLight(light);
+  tracer->SetBackgroundImage(image);
   for (vtkObject* object : objects)
   {
     EXPECT_EQ(object->GetReferenceCount(), 2) << object->GetClassName();
@@ -77,6 +84,7 @@ TEST(Settings, ObjectsAreHeldWhileTheyAreSet)
   tracer->SetCamera(nullptr);
   tracer->SetProperty(nullptr);
   tracer->RemoveLight(light);
+  tracer->SetBackgroundImage(nullptr);
   for (vtkObject* object : objects)
   {
     EXPECT_EQ(object->GetReferenceCount(), 1) << object->GetClassName();
@@ -92,11 +100,13 @@ TEST(Settings, PrintSelfIsComplete)
   tracer->SetBackground2(0.75, 0.625, 0.375);
   std::ostringstream text;
   tracer->Print(text);
-  for (const char* part : { "ImageSize: 123 x 456", "Supersampling: 1", "Camera: (none)",
-         "Lights:", "Property: (none)", "AmbientModel: PerLight", "TwoSidedLighting: On",
-         "Background: (0.125, 0.25, 0.5)", "GradientBackground: Off",
-         "Background2: (0.75, 0.625, 0.375)", "OutputScalarType: unsigned char",
-         "UsePointNormals: On", "Splitting: On", "FeatureAngle: 30" })
+  for (const char* part :
+    { "ImageSize: 123 x 456", "Supersampling: 1", "Camera: (none)", "Lights:", "Property: (none)",
+      "AmbientModel: PerLight", "TwoSidedLighting: On", "Background: (0.125, 0.25, 0.5)",
+      "GradientBackground: Off", "Background2: (0.75, 0.625, 0.375)",
+      "OutputScalarType: unsigned char", "BackgroundImage: (none)", "OutputAlpha: Off",
+      "GenerateDepth: Off", "GenerateNormals: Off", "GeneratePositions: Off", "GenerateIds: Off",
+      "UsePointNormals: On", "Splitting: On", "FeatureAngle: 30" })
   {
     EXPECT_NE(text.str().find(part), std::string::npos) << part << " in\n" << text.str();
   }
@@ -109,11 +119,22 @@ TEST(Settings, PrintSelfIsComplete)
   studio.tracer->SplittingOff();
   studio.tracer->SetFeatureAngle(45.5);
   studio.camera->SetViewAngle(12.5);
+  vtkNew<vtkImageData> image;
+  studio.tracer->SetBackgroundImage(image);
+  studio.tracer->OutputAlphaOn();
+  studio.tracer->GenerateDepthOn();
+  studio.tracer->GenerateNormalsOn();
+  studio.tracer->GeneratePositionsOn();
+  studio.tracer->GenerateIdsOn();
+  studio.tracer->AddPassArray(vtkDataObject::FIELD_ASSOCIATION_POINTS, "Heat");
+  studio.tracer->AddPassArray(vtkDataObject::FIELD_ASSOCIATION_CELLS, "Part");
   std::ostringstream other;
   studio.tracer->Print(other);
   for (const char* part : { "InputProperty 3:", "AmbientModel: Scene", "TwoSidedLighting: Off",
          "GradientBackground: On", "OutputScalarType: float", "UsePointNormals: Off",
-         "Splitting: Off", "FeatureAngle: 45.5", "ViewAngle: 12.5" })
+         "Splitting: Off", "FeatureAngle: 45.5", "ViewAngle: 12.5", "BackgroundImage: vtkImageData",
+         "OutputAlpha: On", "GenerateDepth: On", "GenerateNormals: On", "GeneratePositions: On",
+         "GenerateIds: On", "PassArray: point array \"Heat\"", "PassArray: cell array \"Part\"" })
   {
     EXPECT_NE(other.str().find(part), std::string::npos) << part << " in\n" << other.str();
   }

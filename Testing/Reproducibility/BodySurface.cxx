@@ -6,6 +6,8 @@
 #include "CellView.h"
 #include "TriangleNormals.h"
 
+#include <stdexcept>
+
 namespace
 {
 constexpr double featureAngle = 30.0; // the ray tracer's default
@@ -106,6 +108,20 @@ std::vector<Vec3> BodySurface::pointNormals(
   return result;
 }
 
+void BodySurface::addAttribute(const Body& body, const std::string& name, bool isPerCell)
+{
+  lambent::AttributeSpan span;
+  for (const StageArray& array : body.arrays)
+  {
+    if (array.name == name && array.isPerCell == isPerCell)
+    {
+      this->Attributes.push_back(array.memory());
+      span = { this->Attributes.back().data(), array.type, array.components, isPerCell };
+    }
+  }
+  this->Result.attributes.push_back(span);
+}
+
 void BodySurface::computeNormals(const lambent::Parallel& parallel)
 {
   const lambent::CheckedFaces checked = this->faces(parallel);
@@ -129,6 +145,10 @@ Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& para
   result.hasStrips = false;
   result.shape = Shape();
   result.pointNormals.clear();
+  if (!body.arrays.empty())
+  {
+    throw std::runtime_error("give bodies with arrays point normals, or shade them flat");
+  }
   for (std::size_t face = 0; face < lambent::cellCount(cells); ++face)
   {
     result.shape.cells.emplace_back();

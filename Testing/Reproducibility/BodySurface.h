@@ -27,6 +27,9 @@ public:
   /// The normals that vtkLambentNormals computes for the body, one per point.
   std::vector<Vec3> pointNormals(lambent::Weighting how, const lambent::Parallel& parallel) const;
 
+  /// Adds the array of that name, or an empty attribute.
+  void addAttribute(const Body& body, const std::string& name, bool isPerCell);
+
   /// Sets the normals that vtkLambentRayTracer computes for the body, one per corner.
   void computeNormals(const lambent::Parallel& parallel);
 
@@ -54,6 +57,7 @@ private:
   lambent::TriangleList Triangles;
   lambent::CornerNormals Normals;
   lambent::UnwrittenVector<std::int32_t> NormalNumbers;
+  std::vector<std::vector<unsigned char>> Attributes;
   lambent::Surface Result;
 };
 

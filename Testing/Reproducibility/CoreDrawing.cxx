@@ -18,8 +18,8 @@ bool lacksNormals(const Body& body)
 }
 
 /// Converts bodies to surfaces, and computes normals for smooth ones without them.
-std::vector<std::unique_ptr<BodySurface>> surfacesOf(
-  std::vector<Body> bodies, unsigned int shuffle, const lambent::Parallel& parallel)
+std::vector<std::unique_ptr<BodySurface>> surfacesOf(std::vector<Body> bodies,
+  const std::vector<StagePass>& passes, unsigned int shuffle, const lambent::Parallel& parallel)
 {
   for (Body& body : bodies)
   {
@@ -40,6 +40,13 @@ std::vector<std::unique_ptr<BodySurface>> surfacesOf(
     {
       surfaces.back()->computeNormals(parallel);
     }
+    for (const StagePass& pass : passes)
+    {
+      if (pass.content == lambent::PassContent::Attribute)
+      {
+        surfaces.back()->addAttribute(body, pass.name, pass.isPerCell);
+      }
+    }
   }
   return surfaces;
 }
@@ -55,26 +62,45 @@ lambent::Camera framed(
 void drawPart(const lambent::Scene& scene, int samples, const lambent::Window& part,
   const lambent::Parallel& parallel, bool byBruteForce, Picture& picture)
 {
-  std::vector<float> floats(3u * part.width() * part.height());
+  const std::size_t pixels = static_cast<std::size_t>(part.width()) * part.height();
+  std::vector<float> floats(picture.channels * pixels);
   std::vector<unsigned char> bytes(floats.size());
+  std::vector<PassPicture> passes = picture.passes;
   lambent::Image image;
   image.width = picture.width;
   image.height = picture.height;
   image.part = part;
   image.samples = samples;
+  image.hasAlpha = picture.channels == 4;
+  for (PassPicture& pass : passes)
+  {
+    const std::size_t size = pass.form.components * pixels;
+    pass.form.isDouble ? pass.doubles.resize(size) : pass.floats.resize(size);
+    pass.form.data =
+      pass.form.isDouble ? static_cast<void*>(pass.doubles.data()) : pass.floats.data();
+    image.passes.push_back(pass.form);
+  }
   const lambent::Settings settings =
     byBruteForce ? lambent::Settings::bruteForce(image.samplePart()) : lambent::Settings();
   image.floats = floats.data();
   const auto outcome = render(scene, image, parallel, nullptr, settings).outcome;
   image.floats = nullptr;
   image.bytes = bytes.data();
+  image.passes.clear(); // done
   render(scene, image, parallel, nullptr, settings);
   if (outcome != lambent::Outcome::Done)
   {
     throw std::runtime_error("a cell names a point that does not exist");
   }
-  paste(floats.data(), part, picture.width, picture.floats);
-  paste(bytes.data(), part, picture.width, picture.bytes);
+  paste(floats.data(), part, picture.width, picture.channels, picture.floats);
+  paste(bytes.data(), part, picture.width, picture.channels, picture.bytes);
+  for (std::size_t k = 0; k < passes.size(); ++k)
+  {
+    const int components = passes[k].form.components;
+    passes[k].form.isDouble
+      ? paste(passes[k].doubles.data(), part, picture.width, components, picture.passes[k].doubles)
+      : paste(passes[k].floats.data(), part, picture.width, components, picture.passes[k].floats);
+  }
 }
 }
 
@@ -88,11 +114,18 @@ Picture draw(const Stage& stage, const Manner& manner)
     ? manner.threads
     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const ThreadedParallel parallel(threads);
-  const auto surfaces = surfacesOf(stage.bodies, manner.shuffle, parallel);
+  const auto surfaces = surfacesOf(stage.bodies, stage.passes, manner.shuffle, parallel);
   lambent::Scene scene = stage.scene;
   for (const auto& surface : surfaces)
   {
     scene.surfaces.push_back(surface->surface());
+  }
+  const std::vector<unsigned char> behind = stage.backgroundImage.memory();
+  if (!behind.empty())
+  {
+    const StageArray& image = stage.backgroundImage;
+    scene.backgroundImage = { { behind.data(), image.type, image.components, false },
+      stage.backgroundWidth, stage.backgroundHeight };
   }
   if (stage.isFramed)
   {

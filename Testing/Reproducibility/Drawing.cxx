@@ -15,6 +15,82 @@ void shuffle(std::vector<Item>& items, RandomNumbers& random)
     std::swap(items[k - 1], items[random.below(static_cast<int>(k))]);
   }
 }
+
+/// The form of a pass in the output of the VTK filters.
+lambent::Pass formOf(const StagePass& pass, const Stage& stage, std::size_t attribute)
+{
+  const bool isVector =
+    pass.content == lambent::PassContent::Normal || pass.content == lambent::PassContent::Position;
+  lambent::Pass form{ pass.content, isVector ? 3 : 1,
+    pass.content == lambent::PassContent::Position, nullptr, attribute };
+  if (pass.content != lambent::PassContent::Attribute)
+  {
+    return form;
+  }
+  for (const Body& body : stage.bodies)
+  {
+    for (const StageArray& array : body.arrays)
+    {
+      if (array.name == pass.name && array.isPerCell == pass.isPerCell)
+      {
+        form.components = array.components;
+        form.isDouble = form.isDouble || array.type == lambent::AttributeType::Int32 ||
+          array.type == lambent::AttributeType::Double;
+      }
+    }
+  }
+  return form;
+}
+
+/// Cell k of the result is cell cells[k] of the body.
+Body withCells(const Body& body, const std::vector<std::size_t>& cells)
+{
+  Body part = body;
+  part.shape.cells.clear();
+  part.cellNormals.clear();
+  for (const std::size_t cell : cells)
+  {
+    part.shape.cells.push_back(body.shape.cells[cell]);
+    if (!body.cellNormals.empty())
+    {
+      part.cellNormals.push_back(body.cellNormals[cell]);
+    }
+  }
+  for (StageArray& array : part.arrays)
+  {
+    if (array.isPerCell)
+    {
+      const std::vector<double> values = array.values;
+      const auto size = static_cast<std::size_t>(array.components);
+      array.values.clear();
+      for (const std::size_t cell : cells)
+      {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(cell * size);
+        array.values.insert(array.values.end(), first, first + array.components);
+      }
+    }
+  }
+  return part;
+}
+}
+
+Picture::Picture(const Stage& stage)
+  : width(stage.width)
+  , height(stage.height)
+  , channels(stage.hasAlpha ? 4 : 3)
+  , floats(static_cast<std::size_t>(channels) * stage.width * stage.height)
+  , bytes(floats.size())
+{
+  std::size_t attributes = 0;
+  for (const StagePass& pass : stage.passes)
+  {
+    PassPicture picture{ pass.name, pass.isPerCell, formOf(pass, stage, attributes), {}, {} };
+    attributes += pass.content == lambent::PassContent::Attribute;
+    const std::size_t size =
+      static_cast<std::size_t>(picture.form.components) * stage.width * stage.height;
+    picture.form.isDouble ? picture.doubles.resize(size) : picture.floats.resize(size);
+    this->passes.push_back(picture);
+  }
 }
 
 std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner)
@@ -52,18 +128,12 @@ std::vector<Body> shuffled(const std::vector<Body>& bodies, unsigned int seed)
     const std::size_t shares = 1 + random.below(3);
     for (std::size_t share = 0; share < shares; ++share)
     {
-      Body part = body;
-      part.shape.cells.clear();
-      part.cellNormals.clear();
+      std::vector<std::size_t> cells;
       for (std::size_t k = share; k < order.size(); k += shares)
       {
-        part.shape.cells.push_back(body.shape.cells[order[k]]);
-        if (!body.cellNormals.empty())
-        {
-          part.cellNormals.push_back(body.cellNormals[order[k]]);
-        }
+        cells.push_back(order[k]);
       }
-      result.push_back(std::move(part));
+      result.push_back(withCells(body, cells));
     }
   }
   shuffle(result, random);

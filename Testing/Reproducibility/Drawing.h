@@ -30,21 +30,27 @@ struct Manner
   bool byBruteForce = false;
 };
 
-/// The bottom row first, three channels per pixel.
+/// A pass of a picture.
+struct PassPicture
+{
+  std::string name;
+  bool isPerCell = false;
+  lambent::Pass form;
+  std::vector<float> floats; ///< one of the two is empty
+  std::vector<double> doubles;
+};
+
+/// The bottom row first, three or four channels per pixel.
 struct Picture
 {
   Picture() = default;
-  explicit Picture(const Stage& stage)
-    : width(stage.width)
-    , height(stage.height)
-    , floats(3u * stage.width * stage.height)
-    , bytes(floats.size())
-  {
-  }
+  explicit Picture(const Stage& stage);
 
   int width = 0, height = 0;
+  int channels = 3;
   std::vector<float> floats;
   std::vector<unsigned char> bytes;
+  std::vector<PassPicture> passes;
 };
 
 /// Throws std::runtime_error if this program cannot render in that manner.
@@ -56,15 +62,16 @@ std::vector<std::string> backendsHere();
 /// The windows of the image to render: the whole, or parts of uneven sizes.
 std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner);
 
-/// Copies a part to its place in the whole image.
+/// Copies a part to its place in the whole image of that many channels.
 template <typename Channel>
-void paste(
-  const Channel* part, const lambent::Window& window, int width, std::vector<Channel>& whole)
+void paste(const Channel* part, const lambent::Window& window, int width, int channels,
+  std::vector<Channel>& whole)
 {
-  for (int j = window.j0; j < window.j1; ++j, part += 3 * window.width())
+  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(channels) * window.width();
+  for (int j = window.j0; j < window.j1; ++j, part += row)
   {
-    std::copy(part, part + 3 * window.width(),
-      whole.begin() + 3 * (static_cast<std::ptrdiff_t>(j) * width + window.i0));
+    std::copy(part, part + row,
+      whole.begin() + channels * (static_cast<std::ptrdiff_t>(j) * width + window.i0));
   }
 }
 

@@ -25,27 +25,51 @@ std::string sizeOf(const Picture& picture)
   return std::to_string(picture.width) + " " + std::to_string(picture.height);
 }
 
-/// The least significant byte first; the scale of -1 declares this byte order.
-std::string pfm(const Picture& picture)
+/// Appends values, the least significant byte first.
+template <typename Bits, typename Value>
+void append(const std::vector<Value>& values, std::string& content)
 {
-  std::string content = "PF\n" + sizeOf(picture) + "\n-1.0\n";
-  for (float channel : picture.floats)
+  static_assert(sizeof(Bits) == sizeof(Value));
+  for (const Value value : values)
   {
-    std::uint32_t bits;
-    std::memcpy(&bits, &channel, sizeof(bits));
-    for (int shift = 0; shift < 32; shift += 8)
+    Bits bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    for (std::size_t shift = 0; shift < 8 * sizeof(bits); shift += 8)
     {
       content.push_back(static_cast<char>(bits >> shift & 0xFFu));
     }
   }
+}
+
+/// The scale of -1 declares the byte order.
+std::string pfm(const Picture& picture)
+{
+  std::string content = (picture.channels == 4 ? "PF4\n" : "PF\n") + sizeOf(picture) + "\n-1.0\n";
+  append<std::uint32_t>(picture.floats, content);
   return content;
 }
 
-/// This format has the top row first.
-std::string ppm(const Picture& picture)
+std::string passes(const Picture& picture)
 {
-  std::string content = "P6\n" + sizeOf(picture) + "\n255\n";
-  const std::size_t row = 3u * picture.width;
+  std::string content;
+  for (const PassPicture& pass : picture.passes)
+  {
+    content += pass.name + " " + sizeOf(picture) + " " + std::to_string(pass.form.components) +
+      (pass.form.isDouble ? " double\n" : " float\n");
+    append<std::uint32_t>(pass.floats, content);
+    append<std::uint64_t>(pass.doubles, content);
+  }
+  return content;
+}
+
+/// PPM, or with alpha PAM. These formats have the top row first.
+std::string bytes(const Picture& picture)
+{
+  std::string content = picture.channels == 4
+    ? "P7\nWIDTH " + std::to_string(picture.width) + "\nHEIGHT " + std::to_string(picture.height) +
+      "\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n"
+    : "P6\n" + sizeOf(picture) + "\n255\n";
+  const std::size_t row = static_cast<std::size_t>(picture.channels) * picture.width;
   for (std::size_t j = picture.height; j-- > 0;)
   {
     content.append(reinterpret_cast<const char*>(&picture.bytes[j * row]), row);
@@ -57,5 +81,9 @@ std::string ppm(const Picture& picture)
 void writePicture(const Picture& picture, const std::string& directory, const std::string& name)
 {
   write(directory + "/" + name + ".pfm", pfm(picture));
-  write(directory + "/" + name + ".ppm", ppm(picture));
+  write(directory + "/" + name + (picture.channels == 4 ? ".pam" : ".ppm"), bytes(picture));
+  if (!picture.passes.empty())
+  {
+    write(directory + "/" + name + ".passes", passes(picture));
+  }
 }

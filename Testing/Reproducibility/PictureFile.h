@@ -5,14 +5,17 @@
  * @brief write pictures to files without changing their bits
  *
  * PFM (floats) and PPM (bytes) have a header and the unchanged channels, and many viewers
- * can show them when pictures differ.
+ * can show them when pictures differ. With alpha they are PFM of four channels and PAM. Passes
+ * follow each other in one file: a line with name and form, and the values, the least significant
+ * byte first.
  */
 #ifndef PictureFile_h
 #define PictureFile_h
 
 #include "Drawing.h"
 
-/// Writes DIRECTORY/NAME.pfm and DIRECTORY/NAME.ppm. Throws std::runtime_error on failure.
+/// Writes DIRECTORY/NAME.pfm, .ppm or .pam, and .passes if there are any. Throws std::runtime_error
+/// on failure.
 void writePicture(const Picture& picture, const std::string& directory, const std::string& name);
 
 #endif

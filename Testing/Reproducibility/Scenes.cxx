@@ -5,8 +5,8 @@
 SceneList allScenes()
 {
   SceneList all;
-  for (const SceneList& scenes : { viewScenes(), sampleScenes(), lightScenes(), surfaceScenes(),
-         crowdScenes(), hostileScenes() })
+  for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
+         lightScenes(), surfaceScenes(), crowdScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

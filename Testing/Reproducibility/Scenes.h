@@ -25,6 +25,8 @@ using SceneList = std::vector<SceneEntry>;
 
 SceneList viewScenes();
 SceneList sampleScenes();
+SceneList filmScenes();
+SceneList passScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList crowdScenes();

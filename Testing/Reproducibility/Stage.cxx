@@ -2,6 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+template <typename Value>
+std::vector<unsigned char> toMemory(const std::vector<double>& values)
+{
+  std::vector<unsigned char> memory(values.size() * sizeof(Value));
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    const auto value = static_cast<Value>(values[k]);
+    std::memcpy(&memory[k * sizeof(Value)], &value, sizeof(Value));
+  }
+  return memory;
+}
+
+/// The nearest number that the type holds.
+double rounded(double value, lambent::AttributeType type)
+{
+  return type == lambent::AttributeType::Float ? static_cast<double>(static_cast<float>(value))
+    : type == lambent::AttributeType::Double   ? value
+                                               : std::floor(value);
+}
+}
+
+std::vector<unsigned char> StageArray::memory() const
+{
+  switch (this->type)
+  {
+    case lambent::AttributeType::UInt8:
+      return toMemory<std::uint8_t>(this->values);
+    case lambent::AttributeType::Int32:
+      return toMemory<std::int32_t>(this->values);
+    case lambent::AttributeType::Double:
+      return toMemory<double>(this->values);
+    default:
+      return toMemory<float>(this->values);
+  }
+}
+
 Body& Body::paint(const Vec3& diffuse, const Vec3& ambient)
 {
   this->appearance.diffuseColor = diffuse;
@@ -47,6 +88,33 @@ Body& Body::strips()
   return *this;
 }
 
+Body& Body::pointArray(const std::string& name, int components, lambent::AttributeType type)
+{
+  StageArray array{ name, false, components, type, {} };
+  for (const Vec3& p : this->shape.points)
+  {
+    const double values[4] = { 100.0 + 50.0 * p.x, 100.0 - 25.0 * p.y, 10.0 + p.z * p.z,
+      64.0 * p.x * p.x };
+    for (int k = 0; k < components; ++k)
+    {
+      array.values.push_back(rounded(values[k], type));
+    }
+  }
+  this->arrays.push_back(array);
+  return *this;
+}
+
+Body& Body::cellArray(const std::string& name, int components, lambent::AttributeType type)
+{
+  StageArray array{ name, true, components, type, {} };
+  for (std::size_t k = 0; k < this->shape.cells.size() * static_cast<std::size_t>(components); ++k)
+  {
+    array.values.push_back(rounded(static_cast<double>(37 * k % 101) + 0.3125, type));
+  }
+  this->arrays.push_back(array);
+  return *this;
+}
+
 Stage::Stage()
 {
   this->look({ 2.0, 1.5, 4.0 }, Vec3(0.0));
@@ -77,6 +145,40 @@ void Stage::lookParallel(double scale)
 {
   this->scene.camera.parallel = true;
   this->scene.camera.parallelScale = scale;
+}
+
+void Stage::showDepth()
+{
+  this->passes.push_back({ lambent::PassContent::Depth, "Depth", false });
+}
+
+void Stage::showNormals()
+{
+  this->passes.push_back({ lambent::PassContent::Normal, "Normals", false });
+}
+
+void Stage::showPositions()
+{
+  this->passes.push_back({ lambent::PassContent::Position, "Positions", false });
+}
+
+void Stage::showArray(const std::string& name, bool isPerCell)
+{
+  this->passes.push_back({ lambent::PassContent::Attribute, name, isPerCell });
+}
+
+void Stage::imageBehind(int w, int h, int components, lambent::AttributeType type)
+{
+  RandomNumbers random(97);
+  const bool isBytes = type == lambent::AttributeType::UInt8;
+  this->backgroundWidth = w;
+  this->backgroundHeight = h;
+  this->backgroundImage = { "Color", false, components, type, {} };
+  for (int k = 0; k < w * h * components; ++k)
+  {
+    this->backgroundImage.values.push_back(
+      rounded(isBytes ? random.within(0.0, 256.0) : random.within(0.0, 1.0), type));
+  }
 }
 
 lambent::Light& Stage::sun(const Vec3& direction, const Vec3& color)

@@ -12,8 +12,24 @@
 
 #include "Shapes.h"
 
+#include "Image.h"
 #include "NormalContribution.h"
 #include "Scene.h"
+
+#include <string>
+
+/// Tuples of so many components, one per point or cell of a body, or per pixel of an image.
+struct StageArray
+{
+  std::string name;
+  bool isPerCell = false;
+  int components = 1;
+  lambent::AttributeType type = lambent::AttributeType::Float;
+  std::vector<double> values; ///< of which the type holds each exactly
+
+  /// The values as the type has them in memory.
+  std::vector<unsigned char> memory() const;
+};
 
 /// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
@@ -25,6 +41,7 @@ struct Body
   std::vector<Vec3> pointNormals; ///< one per point, or none
   std::vector<Vec3> cellNormals;  ///< one per cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
+  std::vector<StageArray> arrays; ///< attributes
   lambent::Appearance appearance;
 
   /// Sets the diffuse colour, which is also the plain one, and the ambient colour.
@@ -37,12 +54,28 @@ struct Body
   Body& round();
   Body& floats();
   Body& strips();
+  /// Adds an array of the points, whose values are those of the coordinates.
+  Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
+  /// Adds an array of the cells, whose values vary from cell to cell.
+  Body& cellArray(const std::string& name, int components, lambent::AttributeType type);
+};
+
+/// What a picture shows beside the colours.
+struct StagePass
+{
+  lambent::PassContent content = lambent::PassContent::Depth;
+  std::string name; ///< in the VTK filters' output
+  bool isPerCell = false;
 };
 
 struct Stage
 {
   int width = 96, height = 72;
   int samples = 1; ///< along each axis of a pixel
+  bool hasAlpha = false;
+  std::vector<StagePass> passes;
+  StageArray backgroundImage; ///< or no values
+  int backgroundWidth = 0, backgroundHeight = 0;
   std::vector<Body> bodies;
   /// Camera, lights and backgrounds; the surfaces are made from the bodies.
   lambent::Scene scene;
@@ -61,6 +94,15 @@ struct Stage
   void size(int w, int h);
   void look(const Vec3& from, const Vec3& at, const Vec3& up = Vec3(0.0, 1.0, 0.0));
   void lookParallel(double scale);
+
+  // Passes. An array is that of the bodies that have it.
+  void showDepth();
+  void showNormals();
+  void showPositions();
+  void showArray(const std::string& name, bool isPerCell);
+
+  /// Puts a random image behind the bodies.
+  void imageBehind(int w, int h, int components, lambent::AttributeType type);
 
   lambent::Light& sun(const Vec3& direction, const Vec3& color = Vec3(1.0));
   lambent::Light& lamp(const Vec3& position, const Vec3& color = Vec3(1.0));

@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -72,7 +73,43 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
   {
     result->GetCellData()->SetNormals(toTuples<vtkDoubleArray>(body.cellNormals));
   }
+  for (const StageArray& array : body.arrays)
+  {
+    array.isPerCell ? result->GetCellData()->AddArray(toArray(array))
+                    : result->GetPointData()->AddArray(toArray(array));
+  }
   return result;
+}
+
+vtkSmartPointer<vtkDataArray> toArray(const StageArray& array)
+{
+  const int type = array.type == lambent::AttributeType::UInt8 ? VTK_UNSIGNED_CHAR
+    : array.type == lambent::AttributeType::Int32              ? VTK_INT
+    : array.type == lambent::AttributeType::Double             ? VTK_DOUBLE
+                                                               : VTK_FLOAT;
+  auto result = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
+  result->SetName(array.name.c_str());
+  result->SetNumberOfComponents(array.components);
+  result->SetNumberOfTuples(static_cast<vtkIdType>(array.values.size()) / array.components);
+  for (std::size_t k = 0; k < array.values.size(); ++k)
+  {
+    const auto place = static_cast<vtkIdType>(k);
+    result->SetComponent(
+      place / array.components, static_cast<int>(place % array.components), array.values[k]);
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage)
+{
+  if (stage.backgroundImage.values.empty())
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(stage.backgroundWidth, stage.backgroundHeight, 1);
+  image->GetPointData()->SetScalars(toArray(stage.backgroundImage));
+  return image;
 }
 
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)

@@ -11,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
@@ -75,11 +76,32 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
   tracer->SetGradientBackground(scene.background != scene.backgroundTop);
   tracer->SetBackground(scene.background.x, scene.background.y, scene.background.z);
   tracer->SetBackground2(scene.backgroundTop.x, scene.backgroundTop.y, scene.backgroundTop.z);
+  tracer->SetBackgroundImage(toBackgroundImage(stage));
+  tracer->SetOutputAlpha(stage.hasAlpha);
+  for (const StagePass& pass : stage.passes)
+  {
+    switch (pass.content)
+    {
+      case lambent::PassContent::Depth:
+        tracer->GenerateDepthOn();
+        break;
+      case lambent::PassContent::Normal:
+        tracer->GenerateNormalsOn();
+        break;
+      case lambent::PassContent::Position:
+        tracer->GeneratePositionsOn();
+        break;
+      case lambent::PassContent::Attribute:
+        tracer->AddPassArray(pass.isPerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                            : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+          pass.name.c_str());
+    }
+  }
 }
 
 template <typename Channel>
 void fetch(vtkLambentRayTracer* tracer, int scalarType, const lambent::Window& part,
-  const Stage& stage, std::vector<Channel>& whole)
+  const Picture& picture, std::vector<Channel>& whole)
 {
   const int extent[6] = { part.i0, part.i1 - 1, part.j0, part.j1 - 1, 0, 0 };
   tracer->SetOutputScalarType(scalarType);
@@ -89,7 +111,27 @@ void fetch(vtkLambentRayTracer* tracer, int scalarType, const lambent::Window& p
   {
     throw std::runtime_error("the filter refuses the scene");
   }
-  paste(static_cast<const Channel*>(image->GetScalarPointer()), part, stage.width, whole);
+  paste(static_cast<const Channel*>(image->GetScalarPointer()), part, picture.width,
+    picture.channels, whole);
+}
+
+/// Those of the last part.
+void fetchPasses(vtkLambentRayTracer* tracer, const lambent::Window& part, Picture& picture)
+{
+  for (PassPicture& pass : picture.passes)
+  {
+    vtkDataArray* const array = tracer->GetOutput()->GetPointData()->GetArray(pass.name.c_str());
+    if (!array || array->GetNumberOfComponents() != pass.form.components ||
+      array->GetDataType() != (pass.form.isDouble ? VTK_DOUBLE : VTK_FLOAT))
+    {
+      throw std::runtime_error("the array " + pass.name + " has another form");
+    }
+    const void* const values = array->GetVoidPointer(0);
+    pass.form.isDouble ? paste(static_cast<const double*>(values), part, picture.width,
+                           pass.form.components, pass.doubles)
+                       : paste(static_cast<const float*>(values), part, picture.width,
+                           pass.form.components, pass.floats);
+  }
 }
 
 Picture drawHere(const Stage& stage, const Manner& manner)
@@ -99,8 +141,9 @@ Picture drawHere(const Stage& stage, const Manner& manner)
   Picture picture(stage);
   for (const lambent::Window& part : partsOf(stage, manner))
   {
-    fetch(tracer, VTK_FLOAT, part, stage, picture.floats);
-    fetch(tracer, VTK_UNSIGNED_CHAR, part, stage, picture.bytes);
+    fetch(tracer, VTK_FLOAT, part, picture, picture.floats);
+    fetch(tracer, VTK_UNSIGNED_CHAR, part, picture, picture.bytes);
+    fetchPasses(tracer, part, picture);
   }
   return picture;
 }

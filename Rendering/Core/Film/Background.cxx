@@ -8,6 +8,15 @@
 
 namespace lambent
 {
+namespace
+{
+/// The first colour exactly if the fraction is 0, even if the second one is infinite or NaN.
+Vec3 mixed(const Vec3& first, const Vec3& second, double fraction)
+{
+  return fraction == 0.0 ? first : first + (second - first) * fraction;
+}
+}
+
 Background::Background(const Scene& scene, const Image& image)
 {
   const Window part = image.samplePart();
@@ -73,11 +82,10 @@ Vec3 Background::at(int i, int j) const
   const Neighbours& rows = this->Rows[j];
   const auto inRow = [&](int row)
   {
-    const Vec3 first = this->pixel(columns.first, row, base);
-    return first + (this->pixel(columns.second, row, base) - first) * columns.fraction;
+    return mixed(this->pixel(columns.first, row, base), this->pixel(columns.second, row, base),
+      columns.fraction);
   };
-  const Vec3 first = inRow(rows.first);
-  return first + (inRow(rows.second) - first) * rows.fraction;
+  return mixed(inRow(rows.first), inRow(rows.second), rows.fraction);
 }
 
 void Background::fill(int i, int j, int count, double* const* channels) const

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief change what a ray tracer was given, by the bytes of a fuzzer
+ */
+#ifndef FuzzChanges_h
+#define FuzzChanges_h
+
+#include "FuzzInput.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkCamera;
+class vtkImageData;
+class vtkLight;
+class vtkProperty;
+
+void change(FuzzInput& input, vtkCamera* camera);
+void change(FuzzInput& input, vtkLight* light);
+void change(FuzzInput& input, vtkProperty* property);
+
+/// An image for the background, now and then of a type or size that it cannot have.
+vtkSmartPointer<vtkImageData> makeFuzzImage(FuzzInput& input);
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief compare a ray tracer's picture with that of brute force
+ */
+#ifndef FuzzReference_h
+#define FuzzReference_h
+
+#include "SceneSettings.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <vector>
+
+class vtkLambentRayTracer;
+class vtkPolyData;
+
+/// A ray tracer, and what it cannot be asked for.
+struct FuzzSubject
+{
+  vtkLambentRayTracer* tracer;
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  std::vector<lambent::adapters::SceneSettings::PassArray> passArrays;
+};
+
+/// Requires that the picture's values of this extent are those of brute force.
+void compareWithBruteForce(const FuzzSubject& subject, const std::array<int, 6>& extent);
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Alpha, and images behind the bodies.
+#include "Scenes.h"
+
+using lambent::AttributeType;
+
+namespace
+{
+/// A ball before a box of another colour.
+void still(Stage& s, int samples)
+{
+  s.samples = samples;
+  s.daylight();
+  s.add(ball(3)).round();
+  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
+}
+
+void transparent(Stage& s, int samples)
+{
+  s.hasAlpha = true;
+  still(s, samples);
+}
+
+void before(Stage& s, int samples, int width, int height, int components, AttributeType type)
+{
+  still(s, samples);
+  s.imageBehind(width, height, components, type);
+  s.scene.background = { 0.1, 0.2, 0.3 };
+  s.scene.backgroundTop = { 0.7, 0.5, 0.2 };
+}
+}
+
+SceneList filmScenes()
+{
+  return {
+    { "alpha", [](Stage& s) { transparent(s, 1); } },
+    { "alpha-samples-3", [](Stage& s) { transparent(s, 3); } },
+    { "alpha-samples-4-unlit",
+      [](Stage& s)
+      {
+        s.hasAlpha = true;
+        s.samples = 4;
+        s.add(ball(2)).unlit().paint({ 0.25, 0.5, 1.0 });
+        s.size(67, 41);
+      } },
+    { "alpha-of-nothing", [](Stage& s) { s.hasAlpha = true; } },
+    { "background-image", [](Stage& s) { before(s, 1, 96, 72, 3, AttributeType::UInt8); } },
+    { "background-image-small", [](Stage& s) { before(s, 1, 7, 5, 3, AttributeType::UInt8); } },
+    { "background-image-large-grey",
+      [](Stage& s) { before(s, 2, 131, 257, 1, AttributeType::Float); } },
+    { "background-image-alpha-samples-3",
+      [](Stage& s) { before(s, 3, 33, 20, 4, AttributeType::Float); } },
+    { "background-image-grey-and-alpha",
+      [](Stage& s) { before(s, 1, 20, 33, 2, AttributeType::UInt8); } },
+  };
+}
