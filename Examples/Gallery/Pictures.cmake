@@ -7,11 +7,13 @@ set(pictures)
 if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOImage)
   set(pictures
     AddingLights
+    Alpha
     Ambient
     Box
     ColouredLight
     Diffuse
     FlatAndSmooth
+    Passes
     SharpEdges
     Spheres
     Unlit)

@@ -19,7 +19,17 @@
 namespace lambent::command
 {
 
-/// Adds an option whose text is parsed into `target`.
+template <typename Target>
+struct IsVector : std::false_type
+{
+};
+
+template <typename Item>
+struct IsVector<std::vector<Item>> : std::true_type
+{
+};
+
+/// Adds an option whose text is parsed into `target`, or for a vector is parsed and appended.
 template <typename Target, typename Parse>
 CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
   Target& target, Parse parse, const std::string& help)
@@ -28,7 +38,7 @@ CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string&
   {
     try
     {
-      if constexpr (std::is_same_v<Target, std::vector<LightValue>>)
+      if constexpr (IsVector<Target>::value)
       {
         target.push_back(parse(text));
       }

@@ -102,8 +102,9 @@ void Accept(vtkImageData* picture, const Options& options, VtkMessages& messages
     return;
   }
   // Baselines are shared, and absolute paths mean nothing on other machines.
-  const bool isPortable = std::none_of(options.inputs.begin(), options.inputs.end(),
-    [](const std::string& input) { return fs::path(input).is_absolute(); });
+  const auto isAbsolute = [](const std::string& path) { return fs::path(path).is_absolute(); };
+  const bool isPortable = !isAbsolute(options.backgroundImage) &&
+    std::none_of(options.inputs.begin(), options.inputs.end(), isAbsolute);
   WritePicture(picture, baseline, messages, isPortable ? DescribeDrawing(options) : PictureText());
 }
 

@@ -4,6 +4,7 @@
 #include "ComparisonOptions.h"
 #include "AddValue.h"
 #include "FileKinds.h"
+#include "FilmOptions.h"
 #include "Messages.h"
 
 namespace lambent::command
@@ -36,12 +37,6 @@ Metric ParseMetric(const std::string& text)
                         : throw BadValue("'" + text + "' is not max, rmse or ssim");
 }
 
-/// A CLI11 check: the error in the name of a picture to write, or an empty string.
-std::string IsWritable(const std::string& path)
-{
-  return PictureKindOf(path) ? "" : "'" + path + "' does not end in one of " + PictureExtensions();
-}
-
 std::string IsPage(const std::string& path)
 {
   const std::size_t dot = path.rfind('.');
@@ -69,7 +64,7 @@ void AddComparison(CLI::App& app, ComparisonOptions& options, CLI::Option* compa
       "largest permitted value of the metric; channels go to 255 [0: no bit may differ]"),
     app.add_option("--difference", options.difference, "picture of the difference to write")
       ->type_name("FILE")
-      ->check(IsWritable),
+      ->check(IsPicture),
     app.add_option("--report", options.report, "HTML page to write or append to")
       ->type_name("FILE")
       ->check(IsPage),

@@ -42,6 +42,16 @@ std::optional<PictureKind> PictureKindOf(const std::string& path)
   return std::nullopt;
 }
 
+std::string WhyNoAlpha(const std::string& path)
+{
+  const auto kind = PictureKindOf(path);
+  const bool canHoldAlpha = !kind || kind == PictureKind::Png || kind == PictureKind::Tiff ||
+    kind == PictureKind::Vti; // unknown: "-", or no picture is written
+  return canHoldAlpha
+    ? ""
+    : "'" + path + "' cannot hold alpha; choose a name that ends in .png, .tif or .vti";
+}
+
 std::string PictureExtensions()
 {
   std::string list;

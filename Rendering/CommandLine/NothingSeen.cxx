@@ -42,7 +42,8 @@ bool HasOnly(vtkImageData* picture, const Pixel& one, const Pixel& other)
   const unsigned char* const first = count > 0 ? colors->GetPointer(0) : nullptr;
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const unsigned char* const p = first + 3 * ((k + count / 2) % count);
+    const unsigned char* const p =
+      first + colors->GetNumberOfComponents() * ((k + count / 2) % count);
     if (!std::equal(one.begin(), one.end(), p) && !std::equal(other.begin(), other.end(), p))
     {
       return false;
@@ -197,9 +198,16 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 
 std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkImageData* drawn)
 {
-  // One sample per pixel: averages of two colours are neither.
+  // One sample per pixel: averages of two colours are neither. On a plain background: neither alpha
+  // nor a background image changes what is hit.
   Options options = drawing;
   options.supersampling = 1;
+  options.alpha = false;
+  const bool hasImage = !drawing.backgroundImage.empty();
+  if (hasImage)
+  {
+    options.background = { 0, 0, 0 };
+  }
   const Pixel background = BytesOf(options.background);
   vtkSmartPointer<vtkImageData> picture = drawn;
   if (background != Black && drawing.supersampling.value_or(1) > 1)
@@ -210,11 +218,16 @@ std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkIm
     }
     picture = Draw(options, meshes);
   }
+  else if (hasImage || (drawing.alpha && HasOnly(drawn, Black, Black)))
+  {
+    picture = Draw(options, meshes);
+  }
   if (!HasOnly(picture, background, Black))
   {
     return "";
   }
-  const std::string nothing = "the picture shows nothing: ";
+  const std::string nothing =
+    hasImage ? "the picture shows only the background image: " : "the picture shows nothing: ";
   const auto hits = DrawHits(options, meshes);
   if (IsAllBlack(hits))
   {
@@ -224,8 +237,10 @@ std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkIm
   }
   if (IsBlackWhereHit(picture, hits))
   {
-    return (background == Black ? nothing : "the picture shows only black: ") +
-      WhyAllIsBlack(options, meshes);
+    const std::string what = hasImage || drawing.alpha ? "the surfaces show only black: "
+      : background != Black                            ? "the picture shows only black: "
+                                                       : nothing;
+    return what + WhyAllIsBlack(options, meshes);
   }
   return HasOnly(picture, background, background)
     ? nothing + "all visible faces have the colour of the background; try another --background"

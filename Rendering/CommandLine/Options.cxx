@@ -5,6 +5,7 @@
 #include "AddValue.h"
 #include "ComparisonOptions.h"
 #include "FileKinds.h"
+#include "FilmOptions.h"
 #include "Formats.h"
 #include "Messages.h"
 #include "Recipe.h"
@@ -37,6 +38,11 @@ Reads VTK's files, .ply .stl .obj .off .gltf .fbx and others, and all of them gz
 an array has a value, and the first step of a time series. Several inputs form one scene.
 Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a complete new one.
 
+A pass is what the middle sample of each pixel sees: depth, normals, positions, ids (of cells),
+input-ids, or an array of the inputs (point:NAME or cell:NAME if two have that name).
+--pass depth=depth.tif writes it to a file, .tif (32-bit floats) or .vti. A picture that is a .vti
+holds all passes, and then the file may be left out.
+
 'lambent compare A.png B.png' compares two existing pictures; see 'lambent compare --help'.
 
 Exit status: 0 success, and with --compare no difference; 1 different or failed (one line says
@@ -66,8 +72,6 @@ void AddFiles(CLI::App& app, Options& options)
     app, "--supersampling", "N", options.supersampling,
     [](const std::string& text) { return ParseCount(text, 16); },
     "N x N samples per pixel, 1..16, for smooth edges [3; with --compare, as the baseline has]");
-  AddValue(app, "--background", "COLOUR", options.background, ParseColor,
-    "colour where there is no surface [black]");
 }
 
 void AddCamera(CLI::App& app, Options& options)
@@ -170,7 +174,7 @@ std::string IsPng(const std::string& path)
 /// Rejects options about the scene beside --recreate: the picture already defines its scene.
 void CheckRecreate(const CLI::App& app)
 {
-  static const std::set<std::string> fitting = { "recreate", "output", "threads", "quiet",
+  static const std::set<std::string> fitting = { "recreate", "output", "pass", "threads", "quiet",
     "verbose" };
   for (const CLI::Option* option : app.get_options())
   {
@@ -195,10 +199,11 @@ void CheckFiles(const CLI::App& app, const Options& options)
   {
     throw CLI::RequiredError("--output or --compare");
   }
-  if (app.count("--output") > 0 && options.output != "-" && !PictureKindOf(options.output))
+  const std::string error =
+    app.count("--output") > 0 && options.output != "-" ? IsPicture(options.output) : "";
+  if (!error.empty())
   {
-    throw CLI::ValidationError(
-      "--output", "'" + options.output + "' does not end in one of " + PictureExtensions());
+    throw CLI::ValidationError("--output", error);
   }
 }
 
@@ -214,6 +219,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   CLI::App app(Description, "lambent");
   app.footer(Footer);
   AddFiles(app, parsed.options);
+  AddFilm(app, parsed.options);
   AddCamera(app, parsed.options);
   AddLights(app, parsed.options);
   AddSurface(app, parsed.options);
@@ -233,6 +239,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   {
     app.parse(argc, argv);
     CheckFiles(app, parsed.options);
+    CheckFilm(parsed.options);
     parsed.options.recipe = parsed.options.recreate.empty() ? MakeRecipe(app, parsed.options) : "";
   }
   catch (const CLI::CallForHelp&)

@@ -11,6 +11,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "PassValue.h"
 #include "Values.h"
 
 #include <array>
@@ -74,6 +75,9 @@ struct Options
   std::optional<std::array<int, 2>> size; ///< absent: the baseline's size, or 1920 x 1080
   std::optional<int> supersampling;       ///< absent: the baseline's, or DefaultSupersampling
   Triple background{ 0, 0, 0 };
+  std::string backgroundImage; ///< a picture file; empty: none
+  bool alpha = false;          ///< no background, and a fourth channel
+  std::vector<PassValue> passes;
 
   std::optional<ContourValue> contour; ///< the contour of volumes; absent: their outer surface
 

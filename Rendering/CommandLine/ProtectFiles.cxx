@@ -24,8 +24,22 @@ Files ReadFiles(const Options& options)
   {
     files.emplace_back(input, "an input");
   }
+  files.emplace_back(options.backgroundImage, "the background image");
   files.emplace_back(options.picture, "the picture to compare");
   files.emplace_back(options.comparison.baseline, "the baseline");
+  return files;
+}
+
+/// The files that the command writes.
+Files WrittenFiles(const Options& options)
+{
+  Files files = { { options.output == "-" ? "" : options.output, "the output" } };
+  for (const PassValue& pass : options.passes)
+  {
+    files.emplace_back(pass.file, "the pass " + pass.text);
+  }
+  files.emplace_back(options.comparison.difference, "the difference");
+  files.emplace_back(options.comparison.report, "the report");
   return files;
 }
 
@@ -41,10 +55,7 @@ void ProtectFiles(const Options& options)
       "; name two files");
   }
   Files kept = ReadFiles(options);
-  for (const auto& [path, what] :
-    Files{ { options.output == "-" ? "" : options.output, "the output" },
-      { options.comparison.difference, "the difference" },
-      { options.comparison.report, "the report" } })
+  for (const auto& [path, what] : WrittenFiles(options))
   {
     for (const auto& [other, role] : kept)
     {

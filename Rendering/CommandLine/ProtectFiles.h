@@ -14,9 +14,9 @@ namespace lambent::command
 {
 
 /**
- * Throws Failure if an output (-o, --difference, --report) is also an input, the picture, the
- * baseline or another output, under any name, or if a picture would be compared with itself, which
- * always passes. Runs before anything is rendered.
+ * Throws Failure if an output (-o, --pass, --difference, --report) is also an input, the background
+ * image, the picture, the baseline or another output, under any name, or if a picture would be
+ * compared with itself, which always passes. Runs before anything is rendered.
  */
 void ProtectFiles(const Options& options);
 

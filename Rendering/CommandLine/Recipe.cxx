@@ -89,7 +89,8 @@ std::string MakeRecipe(const CLI::App& app, const Options& options)
 {
   static const std::set<std::string> notOfTheScene = { "INPUT", "--help", "--output", "--size",
     "--supersampling", "--compare", "--metric", "--tolerance", "--difference", "--report", "--name",
-    "--recreate", "--light", "--headlight", "--threads", "--quiet", "--verbose", "--version" };
+    "--recreate", "--light", "--headlight", "--pass", "--threads", "--quiet", "--verbose",
+    "--version" };
   std::string recipe = "lambent";
   for (const std::string& input : options.inputs)
   {
@@ -101,7 +102,8 @@ std::string MakeRecipe(const CLI::App& app, const Options& options)
     const std::string full = option->get_positional() ? name : "--" + name;
     if (option->count() > 0 && notOfTheScene.count(full) == 0)
     {
-      recipe += " " + full + " " + Quoted(option->results().back());
+      const bool isFlag = option->get_items_expected() == 0;
+      recipe += " " + full + (isFlag ? "" : " " + Quoted(option->results().back()));
     }
     else if (full == "--direction" && !options.direction && !options.cameraPosition)
     {
@@ -203,6 +205,7 @@ Options ReadRecipe(const Options& options)
     }
     Options drawing = ParseRecipe(command);
     drawing.output = options.output;
+    drawing.passes = options.passes;
     drawing.comparison = ComparisonOptions();
     if (options.output.empty())
     {

@@ -214,6 +214,7 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
   tracer->SetSupersampling(options.supersampling.value_or(FormerSupersampling));
   Triple background = options.background;
   tracer->SetBackground(background.data());
+  tracer->SetOutputAlpha(options.alpha);
   tracer->SetAmbientModel(options.ambientModel == AmbientModel::Scene
       ? vtkLambentRayTracer::SCENE
       : vtkLambentRayTracer::PER_LIGHT);

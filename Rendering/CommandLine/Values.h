@@ -54,7 +54,8 @@ struct LightValue
 struct ContourValue
 {
   double value = 0;
-  std::string array; ///< empty: the volume's only or active array, see Contour.h
+  std::string array;        ///< empty: the volume's only or active array, see Contour.h
+  bool keepsArrays = false; ///< whether the surface gets the volume's other point arrays, too
 };
 
 /// The parts of a text between separators; an empty text has one empty part.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "WritePicture.h"
+#include "EncodeTiff.h"
 #include "FileKinds.h"
 #include "Messages.h"
 #include "TemporaryFile.h"
@@ -13,16 +14,12 @@
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkPNMWriter.h"
-#include "vtkTIFFReader.h"
-#include "vtkTIFFWriter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataWriter.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <unistd.h>
 
 namespace lambent::command
@@ -76,67 +73,10 @@ void WriteThrough(Writer* writer, TemporaryFile& file, vtkImageData* image, VtkM
   CheckWriter(writer, messages);
 }
 
-/// Silences standard error during its lifetime, since libraries print to it.
-class SilentStandardError
+void WriteTiff(TemporaryFile& file, vtkImageData* image)
 {
-public:
-  SilentStandardError()
-    : Kept(dup(STDERR_FILENO))
-  {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDERR_FILENO);
-    close(nowhere);
-  }
-  ~SilentStandardError()
-  {
-    dup2(this->Kept, STDERR_FILENO);
-    close(this->Kept);
-  }
-  SilentStandardError(const SilentStandardError&) = delete;
-  SilentStandardError& operator=(const SilentStandardError&) = delete;
-
-private:
-  int Kept;
-};
-
-/// Whether two pictures are the same, perhaps upside down: vtkTIFFReader flips them.
-bool IsSame(vtkImageData* a, vtkImageData* b)
-{
-  const int* const size = a->GetDimensions();
-  if (!std::equal(size, size + 3, b->GetDimensions()) || b->GetScalarType() != a->GetScalarType() ||
-    b->GetNumberOfScalarComponents() != a->GetNumberOfScalarComponents())
-  {
-    return false;
-  }
-  const std::size_t bytes =
-    static_cast<std::size_t>(size[0]) * a->GetNumberOfScalarComponents() * a->GetScalarSize();
-  bool isSame = true;
-  bool isSameTurned = true;
-  for (int j = 0; j < size[1]; ++j)
-  {
-    const void* const row = a->GetScalarPointer(0, j, 0);
-    isSame &= std::memcmp(row, b->GetScalarPointer(0, j, 0), bytes) == 0;
-    isSameTurned &= std::memcmp(row, b->GetScalarPointer(0, size[1] - 1 - j, 0), bytes) == 0;
-  }
-  return isSame || isSameTurned;
-}
-
-/// libtiff prints its errors, and vtkTIFFWriter misses those at closing. So the file is read back
-/// and compared.
-void WriteTiff(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
-{
-  const SilentStandardError silence;
-  vtkNew<vtkTIFFWriter> writer;
-  writer->SetCompressionToNoCompression();
-  WriteThrough(writer.Get(), file, image, messages);
-
-  vtkNew<vtkTIFFReader> reader;
-  reader->SetFileName(file.GetPath().c_str());
-  reader->Update();
-  if (!messages.TakeError().empty() || !IsSame(image, reader->GetOutput()))
-  {
-    throw Failure("the disk is full, or the file is too large for it; free some space");
-  }
+  const std::vector<unsigned char> bytes = EncodeTiff(image);
+  file.Write(bytes.data(), bytes.size());
 }
 
 void WriteVti(TemporaryFile& file, vtkImageData* image, VtkMessages& messages)
@@ -162,7 +102,7 @@ void WriteKind(PictureKind kind, TemporaryFile& file, vtkImageData* image, VtkMe
     case PictureKind::Jpeg:
       return WriteBytes(file, Encode(vtkNew<vtkJPEGWriter>().Get(), image, messages));
     case PictureKind::Tiff:
-      return WriteTiff(file, image, messages);
+      return WriteTiff(file, image);
     case PictureKind::Bmp:
       return WriteThrough(vtkNew<vtkBMPWriter>().Get(), file, image, messages);
     case PictureKind::Pnm:

@@ -7,27 +7,25 @@
 
 #include "CheckPolygons.h"
 #include "Compare.h"
+#include "DrawPicture.h"
+#include "FileKinds.h"
 #include "IdleFeatureAngle.h"
 #include "Messages.h"
-#include "NothingSeen.h"
 #include "Options.h"
+#include "Passes.h"
 #include "Progress.h"
 #include "ProtectFiles.h"
+#include "ReadBackground.h"
 #include "ReadPicture.h"
 #include "ReadSurface.h"
 #include "Recipe.h"
-#include "Scene.h"
 #include "Stopwatch.h"
 #include "WritePicture.h"
 
 #include "vtkLambentRayTracer.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"
@@ -45,10 +43,15 @@ using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
 
 Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progress)
 {
+  std::optional<ContourValue> contour = options.contour;
+  if (contour)
+  {
+    contour->keepsArrays = !options.passes.empty();
+  }
   Meshes meshes;
   for (const std::string& path : options.inputs)
   {
-    meshes.push_back(ReadSurface(path, messages, progress, options.contour));
+    meshes.push_back(ReadSurface(path, messages, progress, contour));
     progress.Erase();
     messages.FlushWarnings("'" + path + "': ");
   }
@@ -68,73 +71,6 @@ void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
       Say("warning: " + reason);
     }
   }
-}
-
-/// A picture and, for a comparison, the ids of its pixels.
-struct Drawing
-{
-  vtkSmartPointer<vtkImageData> picture;
-  PixelIds ids;
-};
-
-vtkSmartPointer<vtkIdTypeArray> TakeIds(vtkImageData* picture, const char* name)
-{
-  const vtkSmartPointer<vtkIdTypeArray> ids =
-    vtkIdTypeArray::SafeDownCast(picture->GetPointData()->GetArray(name));
-  picture->GetPointData()->RemoveArray(name);
-  return ids;
-}
-
-/// Records the time of the first of the ray tracer's two stages, "normals" and "rendering".
-void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
-{
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&stopwatch);
-  observer->SetCallback(
-    [](vtkObject* caller, unsigned long, void* clock, void*)
-    {
-      auto& stopwatch = *static_cast<Stopwatch*>(clock);
-      const char* const stage = static_cast<vtkAlgorithm*>(caller)->GetProgressText();
-      if (stage && std::string(stage) == "rendering" &&
-        stopwatch.GetLaps().back().first != "normals")
-      {
-        stopwatch.Lap("normals");
-      }
-    });
-  tracer->AddObserver(vtkCommand::ProgressEvent, observer);
-}
-
-void WarnIfNothingIsSeen(
-  const Options& options, const Meshes& meshes, vtkImageData* picture, VtkMessages& messages)
-{
-  const std::string reason =
-    options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
-  messages.DropWarnings(); // from rendering again to find the reason
-  if (!reason.empty())
-  {
-    Say("warning: " + reason);
-  }
-}
-
-Drawing Render(const Options& options, const Meshes& meshes, VtkMessages& messages,
-  Progress& progress, Stopwatch& stopwatch)
-{
-  progress.Begin("rendering");
-  const auto tracer = MakeScene(options, meshes);
-  LapNormals(tracer, stopwatch);
-  tracer->SetGenerateIds(!options.comparison.baseline.empty());
-  progress.Follow(tracer);
-  tracer->Update();
-  const std::string error = messages.TakeError();
-  if (!error.empty() || tracer->GetOutput()->GetNumberOfPoints() == 0)
-  {
-    throw Failure("cannot render: " + (error.empty() ? "the picture came out empty" : error));
-  }
-  progress.Erase();
-  messages.FlushWarnings("");
-  vtkImageData* const picture = tracer->GetOutput();
-  WarnIfNothingIsSeen(options, meshes, picture, messages);
-  return { picture, { TakeIds(picture, "CellIds"), TakeIds(picture, "InputIds") } };
 }
 
 /// The size in the options, or else the baseline's.
@@ -173,10 +109,19 @@ void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopw
   {
     triangles += CountTriangles(mesh);
   }
+  const auto whole = [](const std::string& path)
+  { return std::filesystem::absolute(path).lexically_normal().string(); };
   const std::string picture = options.output.empty() ? "not written"
     : options.output == "-"                          ? "standard output"
-                            : std::filesystem::absolute(options.output).lexically_normal().string();
+                                                     : whole(options.output);
   std::fprintf(stderr, "picture    %s\n", picture.c_str());
+  for (const PassValue& pass : options.passes)
+  {
+    if (!pass.file.empty())
+    {
+      std::fprintf(stderr, "pass       %s in %s\n", pass.text.c_str(), whole(pass.file).c_str());
+    }
+  }
   std::fprintf(stderr, "size       %d x %d\n", (*options.size)[0], (*options.size)[1]);
   std::fprintf(
     stderr, "samples    %d x %d per pixel\n", *options.supersampling, *options.supersampling);
@@ -197,28 +142,55 @@ void UseThreads(int count)
   }
 }
 
+/// Throws Failure if a picture or a pass cannot be written, before anything is rendered.
+void CheckPlaces(const Options& options)
+{
+  if (!options.output.empty())
+  {
+    const std::string reason = options.alpha ? WhyNoAlpha(options.output) : "";
+    if (!reason.empty()) // of a picture that is rendered again
+    {
+      throw Failure(reason);
+    }
+    CheckPicturePlace(options.output);
+  }
+  for (const PassValue& pass : options.passes)
+  {
+    if (!pass.file.empty())
+    {
+      CheckPicturePlace(pass.file);
+    }
+  }
+}
+
 /// Renders, and writes and compares if requested. Returns false if the comparison failed.
 bool Draw(Options options, VtkMessages& messages)
 {
   Progress progress(!options.quiet);
   UseThreads(options.threads);
-  if (!options.output.empty())
-  {
-    CheckPicturePlace(options.output);
-  }
+  CheckPlaces(options);
   options.size = SizeOf(options, messages);
   options.supersampling = SupersamplingOf(options);
 
   Stopwatch stopwatch;
   const Meshes meshes = ReadMeshes(options, messages, progress);
   DropIdleFeatureAngle(options, meshes);
+  vtkSmartPointer<vtkImageData> background;
+  if (!options.backgroundImage.empty())
+  {
+    background = ReadBackground(options.backgroundImage, messages, progress);
+  }
   stopwatch.Lap("reading");
-  const Drawing drawing = Render(options, meshes, messages, progress, stopwatch);
+  const Drawing drawing = DrawPicture(options, meshes, background, messages, progress, stopwatch);
   stopwatch.Lap("rendering");
   if (!options.output.empty())
   {
     progress.Begin("writing " + options.output);
     WritePicture(drawing.picture, options.output, messages, DescribeDrawing(options));
+  }
+  WritePasses(options.passes, drawing.picture, meshes, messages, progress);
+  if (!options.output.empty() || !options.passes.empty())
+  {
     stopwatch.Lap("writing");
   }
   progress.Erase();

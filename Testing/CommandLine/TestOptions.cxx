@@ -27,6 +27,8 @@ TEST(Options, Defaults)
   EXPECT_EQ(options.output, "x.png");
   EXPECT_FALSE(options.size || options.cameraPosition || options.focalPoint || options.viewUp ||
     options.direction || options.viewAngle || options.parallelScale || options.ambientColor);
+  EXPECT_FALSE(options.alpha);
+  EXPECT_TRUE(options.passes.empty() && options.backgroundImage.empty());
   EXPECT_EQ(options.zoom, 1);
   EXPECT_TRUE(options.lights.empty());
   EXPECT_EQ(options.shading, Shading::Smooth);
@@ -62,6 +64,27 @@ TEST(Options, NegativeNumbersAreNotOptions)
   ASSERT_FALSE(parsed.exitStatus) << parsed.standardError;
   EXPECT_EQ(parsed.options.direction, (Triple{ -1, -2, -3 }));
   EXPECT_EQ(parsed.options.viewUp, (Triple{ -0.5, 0, 1 }));
+}
+
+TEST(Options, PassesAreParsedInTheirOrder)
+{
+  const Parsed parsed = Parse({ "--pass", "depth", "--pass", "point:a b=c=d.TIF", "a.ply", "--pass",
+    "cell:x", "--pass", "ids=i.tiff", "-o", "x.vti", "--alpha" });
+  ASSERT_FALSE(parsed.exitStatus) << parsed.standardError;
+  EXPECT_TRUE(parsed.options.alpha);
+  const std::vector<PassValue>& passes = parsed.options.passes;
+  ASSERT_EQ(passes.size(), 4u);
+  EXPECT_EQ(passes[0].content, PassValue::Content::Depth);
+  EXPECT_EQ(passes[0].array, "Depth");
+  EXPECT_EQ(passes[0].file, "");
+  EXPECT_EQ(passes[1].content, PassValue::Content::Array);
+  EXPECT_EQ(passes[1].association, PassValue::Association::Points);
+  EXPECT_EQ(passes[1].array, "a b");
+  EXPECT_EQ(passes[1].text, "point:a b");
+  EXPECT_EQ(passes[1].file, "c=d.TIF"); // an array's name ends at the first =
+  EXPECT_EQ(passes[2].association, PassValue::Association::Cells);
+  EXPECT_EQ(passes[3].content, PassValue::Content::CellIds);
+  EXPECT_EQ(passes[3].array, "CellIds");
 }
 
 TEST(Options, VersionAndHelp)

@@ -24,7 +24,7 @@ class TestUsage(CommandTest):
                        "--shading", "--ambient-model", "--background", "--threads", "--quiet",
                        "--verbose", "--version", "--compare", "--metric", "--tolerance",
                        "--difference", "--report", "--name", "--recreate", "--contour",
-                       "--formats"):
+                       "--formats", "--alpha", "--background-image", "--pass"):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 

@@ -89,6 +89,7 @@ class EveryPage(unittest.TestCase):
         self.assertEqual(whole["Examples/README.md"],
                          {"Examples/Cxx/QuickStart.cxx", "Examples/Cxx/CMakeLists.txt"})
         self.assertEqual(whole["Rendering/Python/README.md"], {"Examples/Python/test_pictures.py"})
+        self.assertEqual(whole["Rendering/CommandLine/README.md"], {"Examples/CommandLine/passes.sh"})
 
     def test_every_block_of_code_is_quoted(self):
         for page in documents.pages():

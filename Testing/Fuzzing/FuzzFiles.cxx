@@ -1,18 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that the command's own readers read: PLY, STL and OBJ. The result is a Failure or a
-// valid mesh.
+// The files that the command's own readers read: PLY, STL and OBJ files, and PNM images. The result
+// is a Failure, or a valid mesh or image. And its checks of TIFF and BMP images: a Failure or
+// nothing.
 #include "FuzzInput.h"
 #include "NamelessFile.h"
 
 #include "CheckCells.h"
+#include "CheckImage.h"
 #include "Messages.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
+#include "ReadPnm.h"
 #include "ReadStl.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -71,10 +75,35 @@ void checkIds(vtkPolyData* mesh)
   }
 }
 
+void check(vtkImageData* image)
+{
+  const int* const size = image->GetDimensions();
+  vtkDataArray* const pixels = image->GetPointData()->GetScalars();
+  require(size[0] > 0 && size[1] > 0 && size[2] == 1 &&
+      pixels->GetNumberOfTuples() == static_cast<vtkIdType>(size[0]) * size[1],
+    "there is a value for each pixel");
+  double range[2];
+  pixels->GetRange(range, -1);
+  require(range[0] >= 0, "no pixel is below black");
+}
+
 void read(std::string_view text, const std::string& path)
 {
   const auto progress = [](double) {};
-  if (text.substr(0, 3) == "ply")
+  const std::string_view start = text.substr(0, 2);
+  if (start == "P5" || start == "P6")
+  {
+    check(ReadPnm(path));
+  }
+  else if (start == "II" || start == "MM")
+  {
+    CheckTiff(path);
+  }
+  else if (start == "BM")
+  {
+    CheckBmp(path);
+  }
+  else if (text.substr(0, 3) == "ply")
   {
     check(ReadPly(path, progress));
   }

@@ -7,6 +7,9 @@
 #include "Options.h"
 
 #include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,8 +31,42 @@ void requireColor(const Triple& v)
   }
 }
 
+bool endsIn(const std::string& path, std::initializer_list<const char*> extensions)
+{
+  std::string lower = path;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(extensions.begin(), extensions.end(),
+    [&lower](const std::string& extension)
+    {
+      return lower.size() > extension.size() &&
+        lower.compare(lower.size() - extension.size(), extension.size(), extension) == 0;
+    });
+}
+
+void checkFilm(const Options& options)
+{
+  const bool hasBackground = options.background != Triple{ 0, 0, 0 };
+  require(!options.alpha || (!hasBackground && options.backgroundImage.empty()),
+    "with alpha there is no background");
+  require(!options.alpha || !endsIn(options.output, { ".jpg", ".jpeg", ".bmp", ".pnm", ".ppm" }),
+    "the picture can hold alpha");
+  std::set<std::string> names;
+  for (const PassValue& pass : options.passes)
+  {
+    require(
+      !pass.array.empty() && names.insert(pass.array).second, "passes have names of their own");
+    require(pass.file.empty() ? endsIn(options.output, { ".vti" })
+                              : endsIn(pass.file, { ".tif", ".tiff", ".vti" }),
+      "each pass is stored");
+    require(pass.content != PassValue::Content::Array || !IsOwnArray(pass.array),
+      "no array of the inputs replaces one of the picture");
+  }
+}
+
 void check(const Options& options)
 {
+  checkFilm(options);
   require(!options.inputs.empty() + !options.picture.empty() + !options.recreate.empty() == 1,
     "there are inputs, or a picture to compare or to draw again");
   require(

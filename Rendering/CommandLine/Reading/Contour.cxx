@@ -81,7 +81,8 @@ std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
   return *names.begin();
 }
 
-/// The volume with the array as point data; null if there is no such array.
+/// The volume with the array as point data; null if there is no such array. All cell arrays become
+/// point data then.
 vtkSmartPointer<vtkDataSet> WithPointArray(vtkDataSet* volume, const std::string& name)
 {
   if (IsContourable(volume->GetPointData()->GetArray(name.c_str())))
@@ -186,8 +187,10 @@ std::vector<vtkSmartPointer<vtkPolyData>> ContoursOf(const std::vector<vtkDataSe
       continue;
     }
     isKnown = true;
+    vtkNew<vtkFlyingEdges3D> edges;
+    edges->SetInterpolateAttributes(contour.keepsArrays);
     const auto surface = IsSolidImage(data)
-      ? Cut(vtkNew<vtkFlyingEdges3D>().Get(), data, name, contour.value, messages, progress)
+      ? Cut(edges.Get(), data, name, contour.value, messages, progress)
       : Cut(vtkNew<vtkContourFilter>().Get(), data, name, contour.value, messages, progress);
     if (surface->GetNumberOfPolys() > 0)
     {

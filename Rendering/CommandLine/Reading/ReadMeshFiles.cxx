@@ -15,6 +15,7 @@
 #include "Readers.h"
 
 #include "vtkGenericDataObjectReader.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -27,6 +28,22 @@ namespace
 auto Follow(Progress& progress)
 {
   return [&progress](double fraction) { progress.Update(fraction); };
+}
+
+/// Reads a legacy file with all of its arrays, so that passes and contours can name them. VTK would
+/// read only the first of each kind.
+template <typename Reader>
+vtkSmartPointer<vtkDataObject> ReadLegacy(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllFieldsOn();
+  return Run(reader, messages, progress);
 }
 
 } // namespace
@@ -52,13 +69,13 @@ vtkSmartPointer<vtkDataObject> ReadLegacyVtkFile(
   switch (LegacyTypeOf(path))
   {
     case LegacyType::PolyData:
-      return Read<LegacyPolyDataReader>(path, messages, progress);
+      return ReadLegacy<LegacyPolyDataReader>(path, messages, progress);
     case LegacyType::UnstructuredGrid:
-      return Read<LegacyGridReader>(path, messages, progress);
+      return ReadLegacy<LegacyGridReader>(path, messages, progress);
     case LegacyType::Other:
       break;
   }
-  return Read<vtkGenericDataObjectReader>(path, messages, progress);
+  return ReadLegacy<vtkGenericDataObjectReader>(path, messages, progress);
 }
 
 vtkSmartPointer<vtkDataObject> ReadObjFile(

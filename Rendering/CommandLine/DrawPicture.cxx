@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "DrawPicture.h"
+#include "Messages.h"
+#include "NothingSeen.h"
+#include "Passes.h"
+#include "Progress.h"
+#include "Scene.h"
+#include "Stopwatch.h"
+
+#include "vtkLambentRayTracer.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+namespace lambent::command
+{
+namespace
+{
+
+using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
+
+vtkSmartPointer<vtkIdTypeArray> IdsOf(vtkImageData* picture, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(picture->GetPointData()->GetArray(name));
+}
+
+/// Records the time of the first of the ray tracer's two stages, "normals" and "rendering".
+void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
+{
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&stopwatch);
+  observer->SetCallback(
+    [](vtkObject* caller, unsigned long, void* clock, void*)
+    {
+      auto& stopwatch = *static_cast<Stopwatch*>(clock);
+      const char* const stage = static_cast<vtkAlgorithm*>(caller)->GetProgressText();
+      if (stage && std::string(stage) == "rendering" &&
+        stopwatch.GetLaps().back().first != "normals")
+      {
+        stopwatch.Lap("normals");
+      }
+    });
+  tracer->AddObserver(vtkCommand::ProgressEvent, observer);
+}
+
+void WarnIfNothingIsSeen(
+  const Options& options, const Meshes& meshes, vtkImageData* picture, VtkMessages& messages)
+{
+  const std::string reason =
+    options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  messages.DropWarnings(); // from rendering again to find the reason
+  if (!reason.empty())
+  {
+    Say("warning: " + reason);
+  }
+}
+
+} // namespace
+
+Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* background,
+  VtkMessages& messages, Progress& progress, Stopwatch& stopwatch)
+{
+  progress.Begin("rendering");
+  const auto tracer = MakeScene(options, meshes);
+  tracer->SetBackgroundImage(background);
+  RequestPasses(options.passes, meshes, tracer);
+  LapNormals(tracer, stopwatch);
+  const bool isCompared = !options.comparison.baseline.empty();
+  tracer->SetGenerateIds(tracer->GetGenerateIds() || isCompared);
+  progress.Follow(tracer);
+  tracer->Update();
+  const std::string error = messages.TakeError();
+  if (!error.empty() || tracer->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw Failure("cannot render: " + (error.empty() ? "the picture came out empty" : error));
+  }
+  progress.Erase();
+  messages.FlushWarnings("");
+  vtkImageData* const picture = tracer->GetOutput();
+  WarnIfNothingIsSeen(options, meshes, picture, messages);
+  PixelIds ids;
+  if (isCompared)
+  {
+    ids = { IdsOf(picture, "CellIds"), IdsOf(picture, "InputIds") };
+  }
+  KeepOnlyPasses(options.passes, picture);
+  return { picture, ids };
+}
+
+} // namespace lambent::command

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief renders the picture of the options, with its passes
+ */
+
+#ifndef DrawPicture_h
+#define DrawPicture_h
+
+#include "ChangedCells.h"
+#include "Options.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace lambent::command
+{
+
+class Progress;
+class Stopwatch;
+class VtkMessages;
+
+/// A picture with its passes as further arrays and, for a comparison, the ids of its pixels.
+struct Drawing
+{
+  vtkSmartPointer<vtkImageData> picture;
+  PixelIds ids;
+};
+
+/// Renders; the background image may be null. Warns if nothing is seen. Throws Failure.
+Drawing DrawPicture(const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
+  vtkImageData* background, VtkMessages& messages, Progress& progress, Stopwatch& stopwatch);
+
+} // namespace lambent::command
+
+#endif

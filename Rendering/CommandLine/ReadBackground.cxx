@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "ReadBackground.h"
+#include "CheckFile.h"
+#include "CheckImage.h"
+#include "FileKinds.h"
+#include "Isolated.h"
+#include "Messages.h"
+#include "Progress.h"
+#include "ReadPicture.h"
+#include "ReadPnm.h"
+#include "ReadThroughVtk.h"
+
+#include "vtkBMPReader.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkJPEGReader.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTIFFReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace lambent::command
+{
+namespace
+{
+
+/// Lets an image pass through the pipe of a child process, which takes meshes.
+vtkSmartPointer<vtkPolyData> AsMesh(vtkImageData* image)
+{
+  vtkNew<vtkIntArray> size;
+  for (const int n : { image->GetDimensions()[0], image->GetDimensions()[1] })
+  {
+    size->InsertNextValue(n);
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->GetCellData()->AddArray(size);
+  mesh->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
+  return mesh;
+}
+
+vtkSmartPointer<vtkImageData> AsImage(vtkPolyData* mesh)
+{
+  vtkDataArray* const size = mesh->GetCellData()->GetArray(0);
+  if (!size || size->GetNumberOfTuples() != 2) // a faulty reader may still exit normally
+  {
+    throw Failure("its reader failed; check that it is complete");
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(
+    static_cast<int>(size->GetComponent(0, 0)), static_cast<int>(size->GetComponent(1, 0)), 1);
+  image->GetPointData()->SetScalars(mesh->GetPointData()->GetScalars());
+  return image;
+}
+
+/// Undoes what vtkTIFFReader does: it puts the first row of a file at the bottom, whatever its
+/// orientation says, and inverts the alpha of bytes.
+void CorrectTiff(vtkImageData* image)
+{
+  vtkDataArray* const pixels = image->GetPointData()->GetScalars();
+  const int* const size = image->GetDimensions();
+  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(size[0]) *
+    pixels->GetNumberOfComponents() * pixels->GetDataTypeSize();
+  auto* const first = static_cast<unsigned char*>(pixels->GetVoidPointer(0));
+  for (int j = 0; j < size[1] / 2; ++j)
+  {
+    std::swap_ranges(first + j * row, first + (j + 1) * row, first + (size[1] - 1 - j) * row);
+  }
+  for (std::ptrdiff_t k = 3; pixels->GetNumberOfComponents() == 4 && k < row * size[1]; k += 4)
+  {
+    first[k] = static_cast<unsigned char>(255 - first[k]);
+  }
+}
+
+/// Four channels of a JPEG are those of ink.
+void CheckJpeg(vtkImageData* image)
+{
+  if (image->GetPointData()->GetScalars()->GetNumberOfComponents() > 3)
+  {
+    throw Failure("its colours are CMYK; convert it to RGB");
+  }
+}
+
+void Accept(vtkImageData*) {}
+
+/// Throws Failure unless there is a value for each pixel of one slice.
+void CheckPixels(vtkImageData* image)
+{
+  const int* const size = image->GetDimensions();
+  vtkDataArray* const pixels = image->GetPointData()->GetScalars();
+  if (!pixels || pixels->GetNumberOfTuples() == 0)
+  {
+    throw Failure("it has no pixels");
+  }
+  if (size[2] != 1)
+  {
+    throw Failure("it has " + std::to_string(size[2]) + " slices; a background has one");
+  }
+  if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
+  {
+    throw Failure("its scalars do not fit its size");
+  }
+  if (pixels->GetNumberOfComponents() > 4)
+  {
+    throw Failure("it has " + std::to_string(pixels->GetNumberOfComponents()) +
+      " numbers per pixel; a background has 1 to 4: grey, grey and alpha, RGB, or RGBA");
+  }
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkImageData> ReadIn(const std::string& path, void (*correct)(vtkImageData*),
+  VtkMessages& messages, Progress& progress)
+{
+  const auto read = [&]
+  {
+    vtkNew<Reader> reader;
+    if (!reader->CanReadFile(path.c_str()))
+    {
+      throw Failure("it is not a file of the kind that its name says; check that it is complete");
+    }
+    reader->SetFileName(path.c_str());
+    const auto image = vtkImageData::SafeDownCast(Run(reader, messages, progress));
+    CheckPixels(image);
+    correct(image);
+    const std::vector<std::string> warnings = messages.TakeWarnings();
+    if (!warnings.empty()) // about files that are cut short; the readers go on
+    {
+      throw Failure(warnings.front() + "; check that the file is complete");
+    }
+    return AsMesh(image);
+  };
+  return AsImage(ReadIsolated(read, LimitsFor(path, false), messages, progress));
+}
+
+vtkSmartPointer<vtkImageData> ReadKind(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  CheckFile(path);
+  switch (*PictureKindOf(path))
+  {
+    case PictureKind::Jpeg:
+      return ReadIn<vtkJPEGReader>(path, CheckJpeg, messages, progress);
+    case PictureKind::Tiff:
+      CheckTiff(path);
+      return ReadIn<vtkTIFFReader>(path, CorrectTiff, messages, progress);
+    case PictureKind::Bmp:
+      CheckBmp(path);
+      return ReadIn<vtkBMPReader>(path, Accept, messages, progress);
+    case PictureKind::Pnm:
+      return ReadPnm(path);
+    case PictureKind::Png:
+    case PictureKind::Vti:
+      break;
+  }
+  return ReadPicture(path, messages);
+}
+
+/// Makes the pixels bytes or floats.
+void ConvertPixels(vtkImageData* image)
+{
+  vtkDataArray* const pixels = image->GetPointData()->GetScalars();
+  const int type = pixels->GetDataType();
+  if (type == VTK_UNSIGNED_CHAR)
+  {
+    return;
+  }
+  if (type != VTK_UNSIGNED_SHORT && type != VTK_FLOAT && type != VTK_DOUBLE)
+  {
+    throw Failure(std::string("its pixels are of the type ") + pixels->GetDataTypeAsString() +
+      "; a background has unsigned char, unsigned short, float or double");
+  }
+  const double white = type == VTK_UNSIGNED_SHORT ? 65535 : 1;
+  vtkNew<vtkFloatArray> floats;
+  floats->SetNumberOfComponents(pixels->GetNumberOfComponents());
+  floats->SetNumberOfTuples(pixels->GetNumberOfTuples());
+  for (vtkIdType tuple = 0; tuple < pixels->GetNumberOfTuples(); ++tuple)
+  {
+    for (int k = 0; k < pixels->GetNumberOfComponents(); ++k)
+    {
+      const double value = pixels->GetComponent(tuple, k) / white;
+      if (!(std::fabs(value) <= std::numeric_limits<float>::max()))
+      {
+        throw Failure("its pixel " + std::to_string(tuple) + " is not finite; correct it");
+      }
+      floats->SetTypedComponent(tuple, k, static_cast<float>(value));
+    }
+  }
+  image->GetPointData()->SetScalars(floats);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> ReadBackground(
+  const std::string& path, VtkMessages& messages, Progress& progress)
+{
+  progress.Begin("reading " + path);
+  try
+  {
+    const vtkSmartPointer<vtkImageData> image = ReadKind(path, messages, progress);
+    CheckPixels(image);
+    ConvertPixels(image);
+    progress.Erase();
+    messages.FlushWarnings("'" + path + "': ");
+    return image;
+  }
+  catch (const std::exception& reason) // a Failure, or out of memory
+  {
+    const std::string about = "cannot read '" + path + "': ";
+    const std::string text = reason.what();
+    throw Failure(text.compare(0, about.size(), about) == 0 ? text : about + text);
+  }
+}
+
+} // namespace lambent::command

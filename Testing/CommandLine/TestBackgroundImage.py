@@ -1,0 +1,280 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The image behind the surfaces: each kind of file is read exactly or refused in one line."""
+
+import os
+import struct
+import unittest
+import zlib
+
+from TestComparing import png
+from commandline import CommandTest, SQUARE, obj, read_pnm, xml_array
+from pictures import read_png
+
+# 4 x 3 pixels, all different, the top row first.
+IMAGE = [[(10 * (4 * j + i), 250 - 10 * i, 200 - 50 * j) for i in range(4)] for j in range(3)]
+GREY = [[(pixel[0],) for pixel in row] for row in IMAGE]
+FLAT = b"".join(bytes(pixel) for row in IMAGE for pixel in row)
+
+# Away from the square, so that the background is all there is.
+AWAY = ("--camera-position", "0,0,5", "--focal-point", "100,0,5", "--supersampling", "1", "--quiet")
+
+
+def png_of(rows, color_type, depth=8):
+    """A PNG with any number of channels per pixel."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    size = ">%d" % (len(rows[0]) * len(rows[0][0])) + ("B" if depth == 8 else "H")
+    body = b"".join(b"\0" + struct.pack(size, *[v for pixel in row for v in pixel]) for row in rows)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(
+        ">2I5B", len(rows[0]), len(rows), depth, color_type, 0, 0, 0)) +
+        chunk(b"IDAT", zlib.compress(body)) + chunk(b"IEND", b""))
+
+
+def tiff(rows, more=(), kind="B", order="<"):
+    """A TIFF of one strip; `more` are tags to add or replace."""
+    channels = len(rows[0][0])
+    flat = [value for row in rows for pixel in row for value in pixel]
+    data = struct.pack(order + "%d%s" % (len(flat), kind), *flat)
+    tags = {256: len(rows[0]), 257: len(rows), 258: 8 * struct.calcsize(kind), 259: 1,
+            262: 2 if channels > 2 else 1, 273: 8, 277: channels, 278: len(rows), 279: len(data)}
+    if kind == "f":
+        tags[339] = 3
+    tags.update(more)
+    data += b"\0" * (len(data) % 2)
+    values = b""
+    entries = struct.pack(order + "H", len(tags))
+    behind = 8 + len(data) + 2 + 12 * len(tags) + 4
+    for tag, value in sorted(tags.items()):
+        if tag in (258, 339) and channels > 2:  # one for each channel
+            entries += struct.pack(order + "HHII", tag, 3, channels, behind + len(values))
+            values += struct.pack(order + "%dH" % channels, *[value] * channels)
+        else:
+            entries += struct.pack(order + "HHIHH", tag, 3, 1, value, 0)
+    start = b"II" if order == "<" else b"MM"
+    return start + struct.pack(order + "HI", 42, 8 + len(data)) + data + entries + bytes(4) + values
+
+
+def bmp(rows, height=None, bits=24, compression=0):
+    body = b"".join(b"".join(bytes(reversed(pixel)) for pixel in row).ljust((3 * len(row) + 3) // 4 * 4,
+                                                                           b"\0")
+                    for row in reversed(rows))
+    return (b"BM" + struct.pack("<IIIIiiHHIIiiII", 54 + len(body), 0, 54, 40, len(rows[0]),
+                                height or len(rows), 1, bits, compression, len(body), 0, 0, 0, 0) + body)
+
+
+def vti(kind, rows, slices=1):
+    values = [v for row in reversed(rows) for pixel in row for v in pixel] * slices
+    extent = "0 %d 0 %d 0 %d" % (len(rows[0]) - 1, len(rows) - 1, slices - 1)
+    return ('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">'
+            '<ImageData WholeExtent="%s" Origin="0 0 0" Spacing="1 1 1"><Piece Extent="%s">'
+            '<PointData Scalars="a">%s</PointData></Piece></ImageData></VTKFile>\n' %
+            (extent, extent, xml_array("a", kind, values, len(rows[0][0]))))
+
+
+class BackgroundTest(CommandTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("square.obj", obj(SQUARE))
+
+    def background(self, name, content=None, *arguments, size="4x3"):
+        if content is not None:
+            self.write(name, content)
+        self.succeed("square.obj", "-o", "pixels.pnm", "--background-image", name, "--size", size,
+                     *AWAY, *arguments)
+        return read_pnm(self.read("pixels.pnm"))
+
+    def refuse(self, name, content=None):
+        if content is not None:
+            self.write(name, content)
+        line = self.fail_with(1, "square.obj", "-o", "x.png", "--background-image", name)
+        self.assertIn("cannot read '%s': " % name, line)
+        return line
+
+
+class TestKinds(BackgroundTest):
+
+    def test_colours_are_exact(self):
+        wide = [[tuple(257 * v for v in pixel) for pixel in row] for row in IMAGE]
+        floats = [[tuple(v / 255 for v in pixel) for pixel in row] for row in IMAGE]
+        for name, content in (
+                ("b.png", png(IMAGE)), ("wide.png", png(wide, 16)), ("b.tif", tiff(IMAGE)),
+                ("b.TIFF", tiff(IMAGE)), ("big endian.tif", tiff(IMAGE, order=">")),
+                ("up.tif", tiff(IMAGE[::-1], {274: 4})),
+                ("b.bmp", bmp(IMAGE)), ("down.bmp", bmp(IMAGE[::-1], -3)),
+                ("b.pnm", b"P6\n4 3\n255\n" + FLAT),
+                ("b.ppm", b"P6 # comment\n4 3 # another\n255\n" + FLAT),
+                ("wide.pnm", b"P6 4 3 65535 " + b"".join(struct.pack(">H", 257 * v) for v in FLAT)),
+                ("b.vti", vti("UInt8", IMAGE)), ("wide.vti", vti("UInt16", wide)),
+                ("floats.vti", vti("Float32", floats)), ("doubles.vti", vti("Float64", floats))):
+            self.assertEqual(self.background(name, content), IMAGE, name)
+
+    def test_grey(self):
+        wanted = [[pixel * 3 for pixel in row] for row in GREY]
+        wide = [[(257 * pixel[0],) for pixel in row] for row in GREY]
+        floats = [[(pixel[0] / 255,) for pixel in row] for row in GREY]
+        flat = bytes(pixel[0] for row in GREY for pixel in row)
+        for name, content in (
+                ("g.png", png_of(GREY, 0)), ("wide.png", png_of(wide, 0, 16)), ("g.tif", tiff(GREY)),
+                ("wide.tif", tiff(wide, kind="H")), ("floats.tif", tiff(floats, kind="f")),
+                ("white.tif", tiff([[(255 - p[0],) for p in row] for row in GREY], {262: 0})),
+                ("g.pnm", b"P5 4 3 255\n" + flat), ("g.vti", vti("UInt8", GREY))):
+            self.assertEqual(self.background(name, content), wanted, name)
+        less = self.background("less.pnm", b"P5 4 3 200\n" + flat)  # 200 is white
+        self.assertEqual(less, [[(min(int(255 * p[0] / 200 + 0.5), 255),) * 3 for p in row]
+                                for row in GREY])
+
+    def test_alpha_shows_the_background(self):
+        alphas = (255, 0, 51, 204)
+        rgba = [[pixel + (alphas[i],) for i, pixel in enumerate(row)] for row in IMAGE]
+        for name, content in (("a.png", png_of(rgba, 6)), ("a.tif", tiff(rgba, {338: 2})),
+                              ("a.vti", vti("UInt8", rgba))):
+            seen = self.background(name, content, "--background", "#204060")
+            for row, wanted in zip(seen, rgba):
+                for pixel, (r, g, b, a) in zip(row, wanted):
+                    for value, front, behind in zip(pixel, (r, g, b), (32, 64, 96)):
+                        self.assertLess(abs(value - (front * a + behind * (255 - a)) / 255), 0.51)
+
+    def test_jpeg(self):
+        """Of this command, so that there is one; JPEG is never exact."""
+        self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48", "--background", "0.2,0.4,0.6",
+                     "--camera-position", "0,0,9", "--quiet")
+        self.succeed("square.obj", "-o", "b.pnm", "--size", "64x48", "--background", "0.2,0.4,0.6",
+                     "--camera-position", "0,0,9", "--quiet")
+        one, other = self.background("b.jpg", size="64x48"), read_pnm(self.read("b.pnm"))
+        for row, column in ((0, 0), (24, 32)):
+            for value, wanted in zip(one[row][column], other[row][column]):
+                self.assertLessEqual(abs(value - wanted), 2)
+
+    def test_files_of_the_command_itself(self):
+        for name in ("b.png", "b.tif", "b.bmp", "b.pnm", "b.vti"):
+            self.succeed("square.obj", "-o", name, "--size", "16x9", "--background", "teal")
+            self.succeed("square.obj", "-o", "same.pnm", "--size", "16x9", "--background", "teal")
+            self.assertEqual(self.background(name, size="16x9"), read_pnm(self.read("same.pnm")))
+        self.succeed("square.obj", "-o", "b.tif", "--size", "16x9", "--alpha", "--color", "red")
+        self.succeed("square.obj", "-o", "b.png", "--size", "16x9", "--alpha", "--color", "red")
+        self.assertEqual(self.background("b.tif", size="16x9"), self.background("b.png", size="16x9"))
+
+    def test_it_is_stretched(self):
+        rows = self.background("b.png", png([[(0, 0, 0), (255, 255, 255)]]), size="8x2")
+        self.assertEqual(rows[0], rows[1])
+        self.assertEqual([pixel[0] for pixel in rows[0]], [0, 0, 32, 96, 159, 223, 255, 255])
+
+    def test_surfaces_are_in_front(self):
+        self.write("b.png", png([[(0, 0, 255)]]))
+        self.succeed("square.obj", "-o", "x.png", "--background-image", "b.png", "--size", "9x9",
+                     "--camera-position", "0,0,5", "--parallel-scale", "2", "--shading", "unlit")
+        rows = read_png(self.read("x.png"))
+        self.assertEqual((rows[4][4], rows[0][0]), ((255, 255, 255), (0, 0, 255)))
+
+
+class TestRefusing(BackgroundTest):
+
+    def test_missing_and_empty(self):
+        for name in ("b.png", "b.jpg", "b.tif", "b.bmp", "b.pnm", "b.vti"):
+            self.assertIn("no such file", self.refuse(name))
+            self.assertIn("it is empty", self.refuse(name, b""))
+            self.refuse(name, b"what is this? " * 20)
+            os.mkdir(self.path("folder" + name))
+            self.refuse("folder" + name)
+
+    def test_cut_short(self):
+        self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48")
+        for name, content in (("c.png", png(IMAGE)), ("c.tif", tiff(IMAGE)), ("c.bmp", bmp(IMAGE)),
+                              ("c.pnm", b"P6 4 3 255 " + FLAT), ("c.jpg", self.read("b.jpg"))):
+            for length in (len(content) - 1, len(content) * 3 // 4, len(content) // 3, 9, 2):
+                if name != "c.tif" or length < len(content) - 30:  # whose end are numbers not needed
+                    self.refuse(name, content[:length])
+
+    def test_kinds_that_vtk_would_read_wrongly(self):
+        rgba = [[pixel + (9,) for pixel in row] for row in IMAGE]
+        for name, content, words in (
+                ("wide.tif", tiff(IMAGE, kind="H"), "colours with 16 bits"),
+                ("floats.tif", tiff([[(0.5, 0.5, 0.5)]], kind="f"), "colours with 32 bits"),
+                ("ga.tif", tiff([[(1, 2)]]), "of this colour model"),
+                ("cmyk.tif", tiff(rgba, {262: 5}), "of this colour model"),
+                ("bits.tif", tiff(GREY, {258: 1}), "grey of 1 bits"),
+                ("multiplied.tif", tiff(rgba, {338: 1}), "alpha is multiplied into its colours"),
+                ("fax.tif", tiff(GREY, {259: 4}), "with this compression"),
+                ("planes.tif", tiff(IMAGE, {284: 2}), "with separate planes"),
+                ("tiles.tif", tiff(IMAGE, {322: 16}), "in tiles"),
+                ("turned.tif", tiff(IMAGE, {274: 6}), "turned or mirrored"),
+                ("large.tif", b"II+\0" + bytes(20), "not a TIFF file of the usual kind"),
+                ("deep.bmp", bmp(IMAGE, bits=32), "BMP of 32 bits per pixel"),
+                ("packed.bmp", bmp(IMAGE, bits=8, compression=1), "BMP with compression"),
+                ("text.pnm", b"P3 1 1 255 1 2 3\n", "not a binary PNM"),
+                ("none.pnm", b"P6 0 3 255 ", "no valid size"),
+                ("many.pnm", b"P6 999999999 999999999 65535 " + FLAT, "cut short"),
+                ("far.pnm", b"P5 1 1 65536 \1\1", "largest value"),
+                ("half.pnm", b"P5 4", "no valid size")):
+            self.assertIn(words, self.refuse(name, content), name)
+
+    def test_images_of_another_form(self):
+        many = [[(1, 2, 3, 4, 5)]]
+        for name, content, words in (
+                ("slices.vti", vti("UInt8", IMAGE, 2), "2 slices; a background has one"),
+                ("ints.vti", vti("Int32", IMAGE), "of the type int"),
+                ("many.vti", vti("UInt8", many), "5 numbers per pixel"),
+                ("huge.vti", vti("Float64", [[(1,), (1e300,)]]), "pixel 1 is not finite")):
+            self.assertIn(words, self.refuse(name, content), name)
+
+    def test_usage(self):
+        line = self.fail_with(2, "square.obj", "-o", "x.png", "--background-image", "b.gif")
+        self.assertIn("'b.gif' does not end in one of .png .jpg", line)
+
+    def test_it_is_not_overwritten(self):
+        self.write("b.png", png(IMAGE))
+        os.symlink("b.png", self.path("link.png"))
+        os.link(self.path("b.png"), self.path("hard.tif"))
+        for arguments in (("-o", "b.png"), ("-o", "./b.png"), ("-o", "link.png"),
+                          ("-o", "x.png", "--pass", "depth=hard.tif"),
+                          ("--compare", "base.png", "--difference", "b.png")):
+            line = self.fail_with(1, "square.obj", "--background-image", "b.png", *arguments)
+            self.assertIn("it is the background image", line)
+        self.assertEqual(self.read("b.png"), png(IMAGE))
+
+
+class TestTogether(BackgroundTest):
+
+    def setUp(self):
+        super().setUp()
+        self.write("it's b.png", png(IMAGE))
+
+    def test_recreating(self):
+        draw = ("square.obj", "--background-image", "it's b.png", "--size", "20x20")
+        self.succeed(*draw, "-o", "x.png")
+        drawn = self.read("x.png")
+        self.assertIn(b"lambent square.obj --background-image 'it'\\''s b.png' --direction", drawn)
+        self.assertIn(b"all of 400 pixels are the same", self.succeed("--recreate", "x.png"))
+        self.succeed("--recreate", "x.png", "-o", "y.png")
+        self.assertEqual(self.read("y.png"), drawn)
+        self.assertIn("it is the background image",
+                      self.fail_with(1, "--recreate", "x.png", "-o", "it's b.png"))
+        os.remove(self.path("it's b.png"))
+        self.assertIn("cannot read 'it's b.png': there is no such file",
+                      self.fail_with(1, "--recreate", "x.png", "-o", "z.png"))
+
+    def test_a_baseline_holds_no_absolute_path(self):
+        for path, is_recorded in (("it's b.png", True), (self.path("it's b.png"), False)):
+            self.run_command("square.obj", "--background-image", path, "--compare", "base.png",
+                             "--size", "9x9", env={**os.environ, "LAMBENT_UPDATE_BASELINES": "1"})
+            self.assertEqual(b"--background-image" in self.read("base.png"), is_recorded)
+            os.remove(self.path("base.png"))
+
+    def test_nothing_seen(self):
+        away = ("--camera-position", "0,0,5", "--focal-point", "100,0,5")
+        for arguments, reason in (
+                (away, "the picture shows only the background image: no face lies in the view"),
+                (("--color", "black"), "the surfaces show only black: all visible faces are black"),
+                (("--light", "direction=0,0,1"), "the surfaces show only black: ")):
+            done = self.run_command("square.obj", "--background-image", "it's b.png", "-o", "x.png",
+                                    "--size", "20x20", *arguments)
+            self.assertEqual(done.returncode, 0)
+            line, = done.stderr.decode().splitlines()
+            self.assertIn("lambent: warning: " + reason, line)
+        self.succeed("square.obj", "--background-image", "it's b.png", "-o", "x.png")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Data beside the picture, alpha and a background image, from Python: NumPy arrays in and out."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from lambent import vtkLambentRayTracer
+
+# Pixel centres of 8 x 8 pixels of side 0.5, of which the square covers the middle 4 x 4.
+CENTRES = -1.75 + 0.5 * np.arange(8)
+X, Y = np.meshgrid(CENTRES, CENTRES)  # row 0 is at the bottom
+HIT = np.maximum(abs(X), abs(Y)) < 1
+
+
+class TestPasses(unittest.TestCase):
+    def setUp(self):
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-1, -1, 0)
+        plane.SetPoint1(1, -1, 0)
+        plane.SetPoint2(-1, 1, 0)
+        plane.Update()
+        self.mesh = plane.GetOutput()
+        camera = vtkCamera()
+        camera.SetPosition(0, 0, 5)
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(2)
+        self.tracer = vtkLambentRayTracer()
+        self.tracer.SetInputData(self.mesh)
+        self.tracer.SetCamera(camera)
+        self.tracer.SetImageSize(8, 8)
+
+    def array(self, name):
+        self.tracer.Update()
+        return vtk_to_numpy(self.tracer.GetOutput().GetPointData().GetArray(name)).reshape(8, 8, -1)
+
+    def expect(self, name, hit, kind, miss=np.nan):
+        found = self.array(name)
+        wanted = np.where(HIT[..., None], np.dstack(np.broadcast_arrays(*hit)), miss)
+        self.assertEqual(found.dtype, kind)
+        np.testing.assert_array_equal(found, wanted)
+
+    def test_depth_normals_positions_and_ids(self):
+        self.tracer.GenerateDepthOn()
+        self.tracer.GenerateNormalsOn()
+        self.tracer.GeneratePositionsOn()
+        self.tracer.GenerateIdsOn()
+        one = np.ones((8, 8))
+        self.expect("Depth", [5 * one], np.float32)
+        self.expect("Normals", [0 * one, 0 * one, one], np.float32)
+        self.expect("Positions", [X, Y, 0 * one], np.float64)
+        self.expect("CellIds", [0 * one], np.int64, -1)
+        self.expect("InputIds", [0 * one], np.int64, -1)
+
+    def test_arrays_of_the_mesh(self):
+        points = vtk_to_numpy(self.mesh.GetPoints().GetData())
+        heights = numpy_to_vtk(np.ascontiguousarray(points[:, 0] + 10 * points[:, 1]), deep=True)
+        heights.SetName("height")
+        self.mesh.GetPointData().AddArray(heights)
+        regions = numpy_to_vtk(np.array([7], np.int32), deep=True)
+        regions.SetName("region")
+        self.mesh.GetCellData().AddArray(regions)
+        self.tracer.AddPassArray(vtkDataObject.FIELD_ASSOCIATION_POINTS, "height")
+        self.tracer.AddPassArray(vtkDataObject.FIELD_ASSOCIATION_CELLS, "region")
+        self.expect("height", [X + 10 * Y], np.float32)
+        self.expect("region", [7 * np.ones((8, 8))], np.float64)
+        self.tracer.RemoveAllPassArrays()
+        self.tracer.Update()
+        self.assertEqual(self.tracer.GetOutput().GetPointData().GetNumberOfArrays(), 1)
+
+    def test_alpha(self):
+        self.tracer.OutputAlphaOn()
+        color = self.array("Color")
+        self.assertEqual(color.shape, (8, 8, 4))
+        np.testing.assert_array_equal(color[..., 3], np.where(HIT, 255, 0))
+        np.testing.assert_array_equal(color[~HIT], 0)
+
+    def test_a_background_image(self):
+        pixels = np.arange(8 * 8 * 3, dtype=np.uint8).reshape(8, 8, 3)
+        image = vtkImageData()
+        image.SetDimensions(8, 8, 1)
+        image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, 3), deep=True))
+        self.tracer.SetBackgroundImage(image)
+        np.testing.assert_array_equal(self.array("Color")[~HIT], pixels[~HIT])
+        self.assertIs(self.tracer.GetBackgroundImage(), image)
+        self.tracer.SetBackgroundImage(None)
+        np.testing.assert_array_equal(self.array("Color")[~HIT], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
