@@ -44,11 +44,11 @@ public:
   {
   }
 
-  V operator()(const double* values) const
+  HWY_INLINE V operator()(const double* values) const
   {
     return hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places);
   }
-  Vector3 operator()(const double (*values)[SampleBatch::room]) const
+  HWY_INLINE Vector3 operator()(const double (*values)[SampleBatch::room]) const
   {
     return { (*this)(values[0]), (*this)(values[1]), (*this)(values[2]) };
   }
