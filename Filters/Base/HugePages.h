@@ -19,14 +19,15 @@
 
 namespace lambent
 {
+constexpr std::size_t hugePageSize = 2 * 1024 * 1024;
+
 /// Advises the system to use large pages for memory that has not been written yet. Does nothing for
 /// small sizes, and on systems other than Linux.
 inline void useHugePages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes)
 {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t page = 4096;
-  constexpr std::size_t worthwhile = 4 * 1024 * 1024;
-  if (bytes >= worthwhile)
+  if (bytes >= hugePageSize)
   {
     const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(data);
     const std::uintptr_t begin = (address + page - 1) / page * page;

@@ -33,6 +33,13 @@ using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 constexpr D d;
 constexpr std::size_t lanes = hn::MaxLanes(D());
+
+/// Stores the lanes of a mask, and reads the others to store them again: some processors take
+/// much longer for a masked store.
+HWY_INLINE void storeWhere(M mask, V values, double* out)
+{
+  hn::StoreU(hn::IfThenElse(mask, values, hn::LoadU(d, out)), d, out);
+}
 }
 }
 }

@@ -226,7 +226,7 @@ Report render(const Scene& scene, const Image& image, const Parallel& parallel,
   const Window& part = image.part;
   const std::size_t samplesPerRow =
     static_cast<std::size_t>(part.width()) * image.samples * image.samples;
-  const int rows = image.samples == 1
+  const int rows = image.samples == 1 || part.empty()
     ? part.height()
     : static_cast<int>(std::clamp<std::size_t>(
         settings.mostSamples / samplesPerRow, 1, static_cast<std::size_t>(part.height())));

@@ -51,7 +51,11 @@ RUN_RANGE = "Rendering/Core/SurfacePoints/RunRange.cxx"
 HITS = "Rendering/Core/Frame/VectorHits.h"
 FILM_COLORS = "Rendering/Core/Film/Film.h"
 POINT_KERNEL = "Rendering/Core/SurfacePoints/PointKernel.cxx"
+POINT_STORE = "Rendering/Core/SurfacePoints/VectorPointBatch.h"
 PASSES = "Rendering/Core/PassPainting.cxx"
+TILE_TASKS = "Rendering/Core/TileTasks.cxx"
+IMAGE = "Rendering/Core/Film/Image.h"
+FILL_KERNEL = "Rendering/Core/Film/FillKernel.cxx"
 PASS_STORE = "Rendering/Core/Film/PassStore.h"
 ATTRIBUTE = "Filters/Base/AttributeSpan.h"
 SPANS = "Filters/SpansFromVTK.cxx"
@@ -178,7 +182,7 @@ MUTATIONS = [
      "the kernel's cosine, in its order"),
     (RUNS, "hn::TableLookupLanes(hn::LoadU(d, values + this->First), this->Places)",
      "hn::LoadU(d, values + this->First)", "each ray has what belongs to its run"),
-    (SHADING_KERNEL, "hn::BlendedStore(color.y, isWanted,", "hn::StoreU(color.y,",
+    (SHADING_KERNEL, "storeWhere(samples.isWanted, color.y, batch.colors[1] + place);", "hn::StoreU(color.y, d, batch.colors[1] + place);",
      "what is not hit keeps the background"),
     (SAMPLES, "std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);",
      "", "places beyond a piece belong to its last run"),
@@ -244,14 +248,14 @@ MUTATIONS = [
     (PASSES, "xs[i] = samples.xs()[(begin + i) * n + n / 2];", "xs[i] = samples.xs()[(begin + i) * n];",
      "the ray of the kernel's middle sample"),
     (PASSES, "normalized(point.normal)[k]", "point.normal[k]", "normals have length 1"),
-    (POINT_KERNEL, "hn::Sqrt(dot(point.normal, point.normal))", "hn::Set(d, 1.0)",
+    (POINT_STORE, "hn::Sqrt(dot(point.normal, point.normal))", "hn::Set(d, 1.0)",
      "the kernel's normals have length 1"),
     (PASSES, "(this->Points.mesh().frame().eye + point.position)[k]", "point.position[k]",
      "positions are in the world"),
-    (POINT_KERNEL, "store(eye + point.position,", "store(point.position,", "the kernel's positions are in the world"),
-    (POINT_KERNEL, "hn::BlendedStore(v.y, isWanted, d, rows[1] + place);", "hn::StoreU(v.y, d, rows[1] + place);",
+    (POINT_STORE, "store(eye + point.position,", "store(point.position,", "the kernel's positions are in the world"),
+    (POINT_STORE, "storeWhere(isWanted, v.y, rows[1] + place);", "hn::StoreU(v.y, d, rows[1] + place);",
      "what another range hit keeps its point"),
-    (PASSES, "this->storeNothing(samples.i0 / n, j, samples.width() / n);", "",
+    (PASSES, "[&](auto* to) { fillWithNaN(to, width * pass.components); }", "[](auto*) {}",
      "tiles that nothing touches are NaN"),
     (PASSES, "this->storeNothing(piece.i, piece.j, count);", "", "pieces that hit nothing are NaN"),
     (PASS_STORE, "std::isnan(value) ? std::numeric_limits<Value>::quiet_NaN() : static_cast<Value>(value)",
@@ -362,4 +366,14 @@ MUTATIONS = [
     (ANGLES, "if (x <= tangentOfEighth * y)", "if (false)", "angles near a right one"),
     (ANGLES, "const double largest = piHigh - (first + second);",
      "const double largest = piHigh - first;", "angles of a triangle sum up"),
+
+    # Bands of the picture, and windows of background.
+    (IMAGE, "result.bytes += this->bytes ? before * this->channels() : 0;", "", "a band has its own bytes"),
+    (IMAGE, "result.triangles += this->triangles ? before : 0;", "", "a band has its own ids"),
+    (IMAGE, "before * pass.components * size", "before * size", "a band has its own passes"),
+    (TILE_TASKS, "background.i1 = tile.i1;", "", "a window of background contains its last tile"),
+    (TILE_TASKS, "tile.i0 == background.i1 && tile.j0", "tile.j0",
+     "tiles between those of a window are not background"),
+    (TILE_TASKS, "this->Caster.merge(hits, *kept);", "", "a tile keeps the hits of all rounds"),
+    (FILL_KERNEL, "std::numeric_limits<Value>::quiet_NaN()", "Value(0)", "passes without a hit are NaN"),
 ]

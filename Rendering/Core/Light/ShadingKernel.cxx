@@ -36,9 +36,9 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
     const VectorSurfacePoint point = points.at(samples.runs, samples.x(), samples.y());
     keep(point, samples.isWanted, place);
     const Vector3 color = lit(light, reflectionOf(samples.runs), point);
-    hn::BlendedStore(color.x, samples.isWanted, d, batch.colors[0] + place);
-    hn::BlendedStore(color.y, samples.isWanted, d, batch.colors[1] + place);
-    hn::BlendedStore(color.z, samples.isWanted, d, batch.colors[2] + place);
+    storeWhere(samples.isWanted, color.x, batch.colors[0] + place);
+    storeWhere(samples.isWanted, color.y, batch.colors[1] + place);
+    storeWhere(samples.isWanted, color.z, batch.colors[2] + place);
   }
 }
 

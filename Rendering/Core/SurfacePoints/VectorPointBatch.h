@@ -25,9 +25,9 @@ namespace
 {
 inline void store(const Vector3& v, M isWanted, double (*rows)[SampleBatch::places], int place)
 {
-  hn::BlendedStore(v.x, isWanted, d, rows[0] + place);
-  hn::BlendedStore(v.y, isWanted, d, rows[1] + place);
-  hn::BlendedStore(v.z, isWanted, d, rows[2] + place);
+  storeWhere(isWanted, v.x, rows[0] + place);
+  storeWhere(isWanted, v.y, rows[1] + place);
+  storeWhere(isWanted, v.z, rows[2] + place);
 }
 
 /// Stores the points of the lanes that are wanted, from a place on.
@@ -37,7 +37,7 @@ inline void store(
   const V length = hn::Sqrt(dot(point.normal, point.normal));
   const Vector3 normal{ hn::Div(point.normal.x, length), hn::Div(point.normal.y, length),
     hn::Div(point.normal.z, length) };
-  hn::BlendedStore(point.depth, isWanted, d, batch.depth + place);
+  storeWhere(isWanted, point.depth, batch.depth + place);
   store(normal, isWanted, batch.normal, place);
   store(eye + point.position, isWanted, batch.position, place);
   store(point.weights, isWanted, batch.weights, place);

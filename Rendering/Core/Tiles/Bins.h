@@ -11,6 +11,7 @@
 #ifndef lambent_Bins_h
 #define lambent_Bins_h
 
+#include "HugePages.h"
 #include "Nearness.h"
 #include "TileGrid.h"
 
@@ -74,7 +75,8 @@ public:
   void clear()
   {
     std::fill(this->Heads.begin(), this->Heads.end(), Head{});
-    this->Pages = 0;
+    this->Pages = this->UsedBlocks = 0;
+    this->Next = this->End = nullptr;
   }
 
   // Only the item is written, since pages are seldom in the first-level cache.
@@ -121,19 +123,33 @@ private:
 
   Page<Item>* newPage()
   {
-    constexpr std::size_t pagesPerBlock = 256;
-    const std::size_t block = this->Pages / pagesPerBlock;
-    if (block == this->Blocks.size())
+    if (this->Next == this->End)
+    {
+      this->nextBlock();
+    }
+    ++this->Pages;
+    return this->Next++;
+  }
+
+  // The first block is small, since few pictures need more.
+  void nextBlock()
+  {
+    const std::size_t count = this->UsedBlocks == 0 ? 256 : 4096;
+    if (this->UsedBlocks == this->Blocks.size())
     {
       // make_unique would write to all of it.
-      this->Blocks.emplace_back(new Page<Item>[pagesPerBlock]);
+      this->Blocks.emplace_back(new Page<Item>[count]);
+      useHugePages(this->Blocks.back().get(), count * sizeof(Page<Item>));
     }
-    return &this->Blocks[block][this->Pages++ % pagesPerBlock];
+    this->Next = this->Blocks[this->UsedBlocks++].get();
+    this->End = this->Next + count;
   }
 
   std::vector<Head> Heads;
   std::vector<std::unique_ptr<Page<Item>[]>> Blocks;
-  std::size_t Pages = 0;
+  std::size_t UsedBlocks = 0, Pages = 0;
+  Page<Item>* Next = nullptr; ///< of the last block used
+  Page<Item>* End = nullptr;
 };
 
 /// The bins of one worker: triangles for the tiles of all levels, hits for the finest tiles.
