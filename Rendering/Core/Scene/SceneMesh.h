@@ -120,6 +120,22 @@ public:
     return *part;
   }
 
+  /// Prefetches what partOf() reads, for several triangles or noTriangle.
+  void prefetchPartsOf(const std::uint32_t* triangles, int count) const
+  {
+    if (this->Parts.size() <= 2)
+    {
+      return; // there is one surface
+    }
+    for (int k = 0; k < count; ++k)
+    {
+      if (triangles[k] != noTriangle)
+      {
+        hwy::Prefetch(&this->Parts[this->FirstParts[triangles[k] >> this->Shift]]);
+      }
+    }
+  }
+
   /// Splits [begin, end), counted over all surfaces, where one surface ends and the next begins,
   /// and calls body(part, begin, end) for each piece. There, begin and end count within the
   /// surface.

@@ -31,6 +31,10 @@ bool RunRange::join(const SceneMesh::Part& next)
 
 bool RunRange::moveOn(const SceneMesh& mesh, SampleBatch& batch)
 {
+  if (this->endRun == 0)
+  {
+    mesh.prefetchPartsOf(batch.triangles, batch.runCount);
+  }
   const SceneMesh::Part* current = nullptr;
   int run = this->endRun;
   for (this->firstRun = run; run < batch.runCount; ++run)
