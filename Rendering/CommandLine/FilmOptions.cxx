@@ -46,13 +46,13 @@ void CheckFilm(const Options& options)
     {
       throw CLI::ValidationError("--pass",
         "'" + pass.array +
-          "' is asked for twice, and the picture can hold one array of that name; leave one out");
+          "' is requested twice, but the picture can hold only one array of that name; omit one");
     }
     if (pass.file.empty() && PictureKindOf(options.output) != PictureKind::Vti)
     {
       throw CLI::ValidationError("--pass",
-        "'" + pass.text + "' names no file, such as " + pass.text +
-          "=FILE.tif; only a picture that is a .vti holds passes itself");
+        "'" + pass.text + "' needs a file, such as " + pass.text +
+          "=FILE.tif; only a .vti picture can hold passes itself");
     }
   }
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures with an alpha channel: the same pixels in each kind of file that can hold it, and edges
-that keep their colour."""
+"""Pictures with an alpha channel: each kind of file holds the same pixels, and edges keep their
+colour."""
 
 import os
 import struct
@@ -41,8 +41,8 @@ class TestAlpha(CommandTest):
         self.assertEqual(self.draw("-"), self.read("x.png"))
 
     def test_edges_keep_their_colour(self):
-        """Laid over black, the picture is the one without alpha, but for rounding; and no pixel is
-        darker than the surfaces."""
+        """Composited over black, the picture equals the one without alpha, up to rounding, and no
+        pixel is darker than the surfaces."""
         self.draw("x.png", "--shading", "unlit", "--color", "0.8,0.6,0.4")
         self.succeed("mesh.obj", "-o", "y.png", *SIZE, "--shading", "unlit", "--color", "0.8,0.6,0.4")
         for row, on_black in zip(read_png(self.read("x.png")), read_png(self.read("y.png"))):
@@ -97,7 +97,7 @@ class TestAlpha(CommandTest):
         self.assertIn(b"--alpha", self.read("base.png"))
 
     def test_only_a_difference_in_alpha(self):
-        """A surface of no colour: only alpha says where it is."""
+        """The surface is black, so only alpha differs."""
         def draw(name, size):
             points = [(x * size, y * size, z) for x, y, z in SQUARE[0]]
             self.write("mesh.obj", obj((points, SQUARE[1])))
@@ -124,7 +124,7 @@ class TestAlpha(CommandTest):
                 self.draw("x.png", *arguments, "--quiet")
 
     def test_resolution_and_orientation_of_a_tiff(self):
-        """A picture that is not the same upside down, of more than one strip."""
+        """The picture has several strips and is not symmetric to a horizontal axis."""
         self.write("mesh.obj", obj(([(0, 0, 0), (2, 0, 0), (0, 1, 0)], [(0, 1, 2)])))
         view = ("--direction", "0,0,1", "--size", "200x151")
         self.succeed("mesh.obj", "-o", "x.tif", "--alpha", *view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The image behind the surfaces: each kind of file is read exactly or refused in one line."""
+"""The background image: each kind of file is read exactly, or refused with a one-line error."""
 
 import os
 import struct
@@ -16,7 +16,7 @@ IMAGE = [[(10 * (4 * j + i), 250 - 10 * i, 200 - 50 * j) for i in range(4)] for 
 GREY = [[(pixel[0],) for pixel in row] for row in IMAGE]
 FLAT = b"".join(bytes(pixel) for row in IMAGE for pixel in row)
 
-# Away from the square, so that the background is all there is.
+# A view without the square, so that only the background is visible.
 AWAY = ("--camera-position", "0,0,5", "--focal-point", "100,0,5", "--supersampling", "1", "--quiet")
 
 
@@ -32,7 +32,7 @@ def png_of(rows, color_type, depth=8):
 
 
 def tiff(rows, more=(), kind="B", order="<"):
-    """A TIFF of one strip; `more` are tags to add or replace."""
+    """A TIFF with one strip; `more` are tags to add or replace."""
     channels = len(rows[0][0])
     flat = [value for row in rows for pixel in row for value in pixel]
     data = struct.pack(order + "%d%s" % (len(flat), kind), *flat)
@@ -137,7 +137,7 @@ class TestKinds(BackgroundTest):
                         self.assertLess(abs(value - (front * a + behind * (255 - a)) / 255), 0.51)
 
     def test_jpeg(self):
-        """Of this command, so that there is one; JPEG is never exact."""
+        """The command writes the JPEG itself. JPEG is never exact."""
         self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48", "--background", "0.2,0.4,0.6",
                      "--camera-position", "0,0,9", "--quiet")
         self.succeed("square.obj", "-o", "b.pnm", "--size", "64x48", "--background", "0.2,0.4,0.6",
@@ -184,7 +184,7 @@ class TestRefusing(BackgroundTest):
         for name, content in (("c.png", png(IMAGE)), ("c.tif", tiff(IMAGE)), ("c.bmp", bmp(IMAGE)),
                               ("c.pnm", b"P6 4 3 255 " + FLAT), ("c.jpg", self.read("b.jpg"))):
             for length in (len(content) - 1, len(content) * 3 // 4, len(content) // 3, 9, 2):
-                if name != "c.tif" or length < len(content) - 30:  # whose end are numbers not needed
+                if name != "c.tif" or length < len(content) - 30:  # its last tag values are not needed
                     self.refuse(name, content[:length])
 
     def test_kinds_that_vtk_would_read_wrongly(self):
@@ -195,17 +195,17 @@ class TestRefusing(BackgroundTest):
                 ("ga.tif", tiff([[(1, 2)]]), "of this colour model"),
                 ("cmyk.tif", tiff(rgba, {262: 5}), "of this colour model"),
                 ("bits.tif", tiff(GREY, {258: 1}), "grey of 1 bits"),
-                ("multiplied.tif", tiff(rgba, {338: 1}), "alpha is multiplied into its colours"),
+                ("premultiplied.tif", tiff(rgba, {338: 1}), "with premultiplied alpha"),
                 ("fax.tif", tiff(GREY, {259: 4}), "with this compression"),
                 ("planes.tif", tiff(IMAGE, {284: 2}), "with separate planes"),
                 ("tiles.tif", tiff(IMAGE, {322: 16}), "in tiles"),
-                ("turned.tif", tiff(IMAGE, {274: 6}), "turned or mirrored"),
-                ("large.tif", b"II+\0" + bytes(20), "not a TIFF file of the usual kind"),
+                ("rotated.tif", tiff(IMAGE, {274: 6}), "an orientation that rotates or mirrors"),
+                ("large.tif", b"II+\0" + bytes(20), "not a classic TIFF file"),
                 ("deep.bmp", bmp(IMAGE, bits=32), "BMP of 32 bits per pixel"),
                 ("packed.bmp", bmp(IMAGE, bits=8, compression=1), "BMP with compression"),
                 ("text.pnm", b"P3 1 1 255 1 2 3\n", "not a binary PNM"),
                 ("none.pnm", b"P6 0 3 255 ", "no valid size"),
-                ("many.pnm", b"P6 999999999 999999999 65535 " + FLAT, "cut short"),
+                ("many.pnm", b"P6 999999999 999999999 65535 " + FLAT, "incomplete"),
                 ("far.pnm", b"P5 1 1 65536 \1\1", "largest value"),
                 ("half.pnm", b"P5 4", "no valid size")):
             self.assertIn(words, self.refuse(name, content), name)
@@ -213,7 +213,7 @@ class TestRefusing(BackgroundTest):
     def test_images_of_another_form(self):
         many = [[(1, 2, 3, 4, 5)]]
         for name, content, words in (
-                ("slices.vti", vti("UInt8", IMAGE, 2), "2 slices; a background has one"),
+                ("slices.vti", vti("UInt8", IMAGE, 2), "2 slices; a background image has one"),
                 ("ints.vti", vti("Int32", IMAGE), "of the type int"),
                 ("many.vti", vti("UInt8", many), "5 numbers per pixel"),
                 ("huge.vti", vti("Float64", [[(1,), (1e300,)]]), "pixel 1 is not finite")):

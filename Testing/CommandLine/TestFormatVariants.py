@@ -114,7 +114,7 @@ class TestGifti(VariantsTest):
         for wrong in (4, -1, 2000000000):
             faces = TETRAHEDRON[1][:3] + [(2, wrong, 3)]
             line = self.failure("a.gii", gifti(POINTS, array("TRIANGLE", faces, "INT32")))
-            self.assertIn("triangle 3 names a point that does not exist; there are 4", line)
+            self.assertIn("triangle 3 uses a point that does not exist; there are 4", line)
 
     def test_points_that_are_not_finite(self):
         points = TETRAHEDRON[0][:2] + [(0, float("nan"), 0), (float("inf"), 0, 0)]
@@ -147,8 +147,8 @@ class TestGifti(VariantsTest):
         for encoding, data, word in (
                 ("ASCII", "0 2 1 x 1 3 1 2 3 2 0 3", "value 3"), ("Base64Binary", "AAAA*AAA", "base64"),
                 ("Base64Binary", "AAA", "base64"), ("Base64Binary", "A===", "base64"),
-                ("GZipBase64Binary", "AAAAAAAA", "packed"), ("Base64Binary", "", "fewer"),
-                ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(48))[:-3]).decode(), "packed"),
+                ("GZipBase64Binary", "AAAAAAAA", "compressed"), ("Base64Binary", "", "fewer"),
+                ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(48))[:-3]).decode(), "compressed"),
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(47))).decode(), "fewer"),
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(1 << 24))).decode(), "more")):
             triangles = array("TRIANGLE", TETRAHEDRON[1], "INT32", encoding, data=data)
@@ -271,7 +271,7 @@ class TestGmsh(VariantsTest):
     def test_wrong_numbers(self):
         text = gmsh2(*TETRAHEDRON[:1], [(TRIANGLE, face) for face in TETRAHEDRON[1]]).decode()
         for old, new, word in (
-                ("4 2 2 0 1 13 7 16", "4 2 2 0 1 13 8 16", "element 4 names node 8, which does not exist"),
+                ("4 2 2 0 1 13 7 16", "4 2 2 0 1 13 8 16", "element 4 uses node 8, which does not exist"),
                 ("\n10 2", "\n7 2", "two nodes with the number 7"),
                 ("\n10 2", "\n10 nan", "node 10 has a coordinate that is not a finite number"),
                 ("\n10 2", "\n10 x", "line 11: there is no number where a coordinate"),
@@ -370,7 +370,7 @@ class TestAbaqus(VariantsTest):
                 ("*Heading", "[TITLE]", "does not begin with a keyword"),
                 ("*Element", "*Elset", "it has no elements"),
                 (", type=S3", "", "line 8: *ELEMENT has no TYPE"),
-                ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 names node 11, which does not exist"),
+                ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 uses node 11, which does not exist"),
                 ("4, 30, 10, 40", "4, 30, 10, 40, 20", "line 12: element 4 has more than the 3 nodes"),
                 ("4, 30, 10, 40", "4, 30, 10", "line 12: element 4 has only 2 of the 3 nodes of its type 'S3'"),
                 ("4, 30, 10, 40", "4, 30, x, 40", "line 12: found 'X' where the number of an element or node"),

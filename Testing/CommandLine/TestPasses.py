@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data beside the picture: what --pass stores, in which files, and what it refuses."""
+"""Passes: what --pass stores, in which files, and what it refuses."""
 
 import math
 import os
@@ -27,7 +27,7 @@ def expected(see, miss):
 
 
 def cell(x, y):
-    return 0 if x >= y else 1  # where x = y both are hit, and the smaller id is taken
+    return 0 if x >= y else 1  # both are hit where x = y; the smaller id wins
 
 
 def with_data(point_arrays="", cell_arrays="", mesh=SQUARE):
@@ -39,7 +39,7 @@ class PassTest(CommandTest):
 
     def setUp(self):
         super().setUp()
-        # x + 10 y at the points, 2 numbers at the cells, and one name at both.
+        # x + 10 y at the points, 2 numbers per cell, and one name at both.
         points = [x + 10 * y for x, y, _ in SQUARE[0]]
         self.write("square.vtp", with_data(
             xml_array("plane", "Float32", points) + xml_array("both", "Float32", [1, 1, 1, 1]) +
@@ -120,7 +120,7 @@ class TestFiles(PassTest):
         self.assertEqual(self.vti("x.vti")[0]["doubles"][4][4], (0.1,))
 
     def test_many_rows(self):
-        """More strips than one, the last of them shorter."""
+        """Several strips, the last of which is shorter."""
         self.draw("-o", "x.vti", "--size", "300x301", "--pass", "positions=p.tif", "--pass",
                   "depth=d.tif")
         arrays, _ = self.vti("x.vti")
@@ -141,12 +141,12 @@ class TestInputs(PassTest):
 
     def test_a_missing_array_is_an_error_that_lists_those_there_are(self):
         for word in ("none", "cell:plane", "point:region", "Plane"):
-            self.assertIn("--pass %s: no input has such an array; there are: point:both, "
+            self.assertIn("--pass %s: no input has such an array; the arrays are: point:both, "
                           "point:doubles, point:plane, cell:both, cell:four, cell:huge, cell:large, "
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
         self.write("bare.vtp", vtp(SQUARE))
-        self.assertIn("there are: none",
+        self.assertIn("the arrays are: none",
                       self.fail_with(1, "bare.vtp", "-o", "y.png", "--pass", "plane=b.tif"))
 
     def test_an_input_without_the_array_has_no_values(self):
@@ -191,22 +191,23 @@ class TestRefusing(PassTest):
 
     def test_wrong_usage(self):
         for value, words in (
-                ("depth", "names no file, such as depth=FILE.tif"), ("", "names no array"),
-                ("=x.tif", "names no array"), ("point:=x.tif", "names no array"),
+                ("depth", "needs a file, such as depth=FILE.tif"), ("", "needs a name"),
+                ("=x.tif", "needs a name"), ("point:=x.tif", "needs a name"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
-                ("depth=-", "'-' does not end in"), ("Normals=x.tif", "an array of the picture itself"),
-                ("cell:Color=x.tif", "rename the array of the input")):
+                ("depth=-", "'-' does not end in"),
+                ("Normals=x.tif", "an array that the picture itself has"),
+                ("cell:Color=x.tif", "to store an input's array of that name, rename it")):
             line = self.refuse(2, "-o", "x.png", "--pass", value)
             self.assertIn("--pass: ", line)
             self.assertIn(words, line)
         for first, second in (("depth", "depth"), ("plane", "point:plane"), ("point:b", "cell:b")):
-            self.assertIn("is asked for twice", self.refuse(
+            self.assertIn("is requested twice", self.refuse(
                 2, "-o", "x.png", "--pass", first + "=1.tif", "--pass", second + "=2.tif"))
 
     def test_what_floats_cannot_hold(self):
         for word, words in (
-                ("large", "the value 16777217 would be rounded to its 32-bit floats"),
-                ("huge", "is beyond the range of its 32-bit floats"),
+                ("large", "the value 16777217 would be rounded to the 32-bit floats of a .tif"),
+                ("huge", "is beyond the range of the 32-bit floats of a .tif"),
                 ("pair", "holds 1, 3 or 4 numbers per pixel, and this array has 2")):
             done = self.run_command("square.vtp", *VIEW, "-o", "y.png", "--pass", word + "=x.tif")
             self.assertEqual(done.returncode, 1)
@@ -256,7 +257,7 @@ class TestTogether(PassTest):
         self.assert_rows(self.tiff("d.tif"), TestFiles.WANTED["depth"][1])
         self.succeed("--recreate", "x.png", "-o", "x.vti", "--pass", "plane")
         self.assertIn("plane", self.vti("x.vti")[0])
-        self.assertIn("names no file", self.fail_with(2, "--recreate", "x.png", "--pass", "depth"))
+        self.assertIn("needs a file", self.fail_with(2, "--recreate", "x.png", "--pass", "depth"))
 
     def test_a_comparison_can_have_passes(self):
         self.draw("-o", "base.png")

@@ -166,7 +166,7 @@ TEST(ReadPly, InvalidTriangleStrips)
     "lambent: warning: triangle strips of fewer than 3 points are skipped; it has 2 of them\n");
   EXPECT_EQ(CellsOf(outcome.mesh->GetStrips()), (Cells{ { 0, 1, 2 } }));
   EXPECT_EQ(ReadFrom(ReadPly, WithStrips("int int", "4 0 1 2 -2")).failure,
-    "triangle strip 0 names a vertex that does not exist");
+    "triangle strip 0 uses a vertex that does not exist");
   std::string text = WithStrips("int int", "3 0 1 2");
   text.replace(text.find("vertex_indices"), 14, "points");
   EXPECT_EQ(ReadFrom(ReadPly, text).failure, "its triangle strips have no list 'vertex_indices'");

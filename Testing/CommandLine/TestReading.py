@@ -149,7 +149,7 @@ class TestReading(CommandTest):
                 self.write(name, text)
                 line = self.fail_to_read(name)
                 self.assertIn(words, line)
-                self.assertNotIn("whole copy", line)  # a whole copy would have the same cell
+                self.assertNotIn("complete copy", line)  # a complete copy would have the same cell
 
     def test_more_points_than_its_type_has(self):
         # The second of several cells.
@@ -299,7 +299,7 @@ class TestReading(CommandTest):
             line = self.fail_to_read(name)
             self.assertIn("does not exist", line)
             if name[-4:] in (".vtp", ".vtk", ".vtu"):
-                self.assertRegex(line, "its (polygon 1|cell 0) names point (4|-1|8), .* the file "
+                self.assertRegex(line, "its (polygon 1|cell 0) uses point (4|-1|8), .* the file "
                                  "has (4|8) points, numbered from 0; correct it")
 
     def test_counts_that_no_file_could_hold(self):

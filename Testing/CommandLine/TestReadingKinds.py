@@ -113,17 +113,17 @@ class TestReadingKinds(CommandTest):
             self.assertEqual(self.pixels(name, *view), [[WHITE] * 9] * 9)
 
     def test_indices_that_name_nothing(self):
-        end = "; correct the line, or get a whole copy"
+        end = "; correct the line, or use a complete copy"
         for text, line in (
-                ("f 1//1 2//1 3//1\n", "line 5 names normal 1, but the file has no normals (vn)"),
+                ("f 1//1 2//1 3//1\n", "line 5 uses normal 1, but the file has no normals (vn)"),
                 ("vn 0 0 1\nf 1//1 2//9 3//40\n",
-                 "line 6 names normal 9, but the file has 1 normal (vn)"),
-                ("f 1/1 2/2 3/3\n", "line 5 names texture coordinate 1, but the file has no texture "
+                 "line 6 uses normal 9, but the file has 1 normal (vn)"),
+                ("f 1/1 2/2 3/3\n", "line 5 uses texture coordinate 1, but the file has no texture "
                                     "coordinates (vt)"),
-                ("f 1 2 5\n", "line 5 names point 5, but the file has 4 points (v)"),
-                ("f 0 1 2\n", "line 5 names point 0, but indices count from 1; so far the file has "
+                ("f 1 2 5\n", "line 5 uses point 5, but the file has 4 points (v)"),
+                ("f 0 1 2\n", "line 5 uses point 0, but indices count from 1; so far the file has "
                               "4 points (v)"),
-                ("f 1 2 -5\n", "line 5 names point -5, but before that line it has 4 points (v)")):
+                ("f 1 2 -5\n", "line 5 uses point -5, but before that line it has 4 points (v)")):
             self.assertEqual(self.failure("wrong.obj", CORNERS + text), line + end)
 
     def test_numbers_that_are_none(self):
@@ -133,7 +133,7 @@ class TestReadingKinds(CommandTest):
         self.assertEqual(self.failure("wrong.stl", text.replace("vertex 2", "vertex two", 1)),
                          "line 6: found 'two' where a number is expected")
         self.assertEqual(self.failure("cut.stl", text[:text.rindex("vertex")]),
-                         "line 27: it is cut short: it ends where 'vertex' is expected")
+                         "line 27: it is incomplete: it ends where 'vertex' is expected")
 
     def test_what_is_left_out_is_counted(self):
         lines = self.warnings("few.obj", CORNERS + "f 1 2\nf 1 2 3\nf 3\n")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data beside the picture, alpha and a background image, from Python: NumPy arrays in and out."""
+"""Passes, alpha and background images in Python, with NumPy arrays as input and output."""
 
 import unittest
 
@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from lambent import vtkLambentRayTracer
 
-# Pixel centres of 8 x 8 pixels of side 0.5, of which the square covers the middle 4 x 4.
+# Centres of 8 x 8 pixels of side 0.5. The square covers the middle 4 x 4 of them.
 CENTRES = -1.75 + 0.5 * np.arange(8)
 X, Y = np.meshgrid(CENTRES, CENTRES)  # row 0 is at the bottom
 HIT = np.maximum(abs(X), abs(Y)) < 1

@@ -90,7 +90,7 @@ void drawPart(const lambent::Scene& scene, int samples, const lambent::Window& p
   render(scene, image, parallel, nullptr, settings);
   if (outcome != lambent::Outcome::Done)
   {
-    throw std::runtime_error("a cell names a point that does not exist");
+    throw std::runtime_error("a cell uses a point that does not exist");
   }
   paste(floats.data(), part, picture.width, picture.channels, picture.floats);
   paste(bytes.data(), part, picture.width, picture.channels, picture.bytes);

@@ -35,7 +35,7 @@ void CheckFile(const std::string& path, bool mayBeEmpty)
   }
   if (!mayBeEmpty && std::filesystem::file_size(path, error) == 0)
   {
-    throw Failure("it is empty; get a whole copy of it");
+    throw Failure("it is empty; use a complete copy");
   }
 }
 

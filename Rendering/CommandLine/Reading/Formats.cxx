@@ -184,7 +184,8 @@ const Format& RequireFormat(const std::string& path)
   }
   if (IsGzipped(path) && !HasZlib)
   {
-    throw Failure("this build of lambent was made without VTK::zlib; unpack it with gunzip first");
+    throw Failure(
+      "this build of lambent was made without VTK::zlib; decompress it with gunzip first");
   }
   return *format;
 }

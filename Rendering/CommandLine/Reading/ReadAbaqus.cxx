@@ -141,7 +141,7 @@ private:
     const auto type = keyword.parameters.find("TYPE");
     if (type == keyword.parameters.end())
     {
-      this->Lines.Fail("*ELEMENT has no TYPE; get a whole copy of it");
+      this->Lines.Fail("*ELEMENT has no TYPE; use a complete copy");
     }
     this->TypeName = type->second;
     this->Type = FindAbaqusType(this->TypeName);
@@ -199,7 +199,7 @@ private:
     {
       this->Lines.Fail("element " + std::to_string(this->Numbers[0]) + " has only " +
         std::to_string(this->Numbers.size() - 1) + " of the " + std::to_string(this->Type.nodes) +
-        " nodes of its type " + Quoted(this->TypeName) + "; get a whole copy of it");
+        " nodes of its type " + Quoted(this->TypeName) + "; use a complete copy");
     }
   }
 

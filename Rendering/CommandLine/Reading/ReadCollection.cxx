@@ -114,7 +114,7 @@ vtkSmartPointer<vtkDataObject> ReadPart(const std::string& owner, const std::str
     CheckFile(path);
     if (IsGzipped(path))
     {
-      throw Failure("it is packed; unpack it with gunzip first");
+      throw Failure("it is compressed; decompress it with gunzip first");
     }
     if (level >= MostLevels)
     {
