@@ -10,7 +10,8 @@ namespace lambent
 {
 namespace
 {
-/// The first colour exactly if the fraction is 0, even if the second one is infinite or NaN.
+/// Interpolates. If the fraction is 0, the result is exactly the first colour, even if the second
+/// is infinite or NaN.
 Vec3 mixed(const Vec3& first, const Vec3& second, double fraction)
 {
   return fraction == 0.0 ? first : first + (second - first) * fraction;
