@@ -41,7 +41,7 @@ SURFACE_SCENES = ["spheres", "facets"]  # scenes with many surfaces
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"
-SUPERSAMPLING = ["dragon", "bunny"]  # scenes with several samples a pixel, too
+SUPERSAMPLING = ["dragon", "bunny"]  # scenes that also run with several samples per pixel
 NORMALS = "normals/.*"
 
 
