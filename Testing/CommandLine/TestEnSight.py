@@ -72,7 +72,7 @@ class TestEnSight(CommandTest):
         self.write("box.geo", content[:size])
         return self.fail_with(1, "box.case", "-o", "x.png")
 
-    def test_whole(self):
+    def test_complete_files_are_read(self):
         self.write("expected.obj", make.obj((CUBE, FACES)))
         expected = self.picture("expected.obj")
         for kind, items in KINDS.items():
@@ -86,7 +86,7 @@ class TestEnSight(CommandTest):
                 self.write("box.geo", text(items)[:-1])  # without the last line end
                 self.assertEqual(self.picture("box.case"), expected)
 
-    def test_cut_within_its_last_numbers(self):
+    def test_files_truncated_within_the_last_numbers_are_errors(self):
         for kind, items in KINDS.items():
             for encoding, write in ENCODINGS.items():
                 with self.subTest(kind=kind, encoding=encoding):
@@ -95,7 +95,7 @@ class TestEnSight(CommandTest):
                         self.assertIn("its geometry file 'box.geo' is incomplete; use a "
                                       "complete copy", self.failure_when_cut(content, len(content) - less))
 
-    def test_cut_anywhere(self):
+    def test_files_truncated_anywhere_are_errors(self):
         items = KINDS["polyhedron"]
         for encoding, write in ENCODINGS.items():
             content = write(items)
@@ -106,7 +106,7 @@ class TestEnSight(CommandTest):
                     with self.subTest(encoding=encoding, size=size):
                         self.failure_when_cut(content, size)
 
-    def test_what_is_not_understood_is_left_to_the_reader(self):
+    def test_unknown_content_is_left_to_the_reader(self):
         content = text(KINDS["hexahedron"])
         self.write("box.geo", content)
         for case in ("model: 1 box.geo", "model: 1 1 box.geo", "model:\tbox.geo"):
@@ -125,7 +125,7 @@ class TestEnSight(CommandTest):
         self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: none.geo\n")
         self.assertNotIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
 
-    def test_a_variable_that_is_cut_short_is_left_out(self):
+    def test_truncated_variables_are_skipped(self):
         self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: box.geo\nVARIABLE\n"
                    "scalar per node: x box.x\nvector per element: v box.v\n")
         items = KINDS["hexahedron"]
