@@ -60,7 +60,7 @@ int ParseCount(const std::string& text, int largest)
 
 void AddFiles(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.inputs, "mesh files, drawn as one scene")->type_name("");
+  app.add_option("INPUT", options.inputs, "mesh files, rendered as one scene")->type_name("");
   app
     .add_option("-o,--output", options.output, "picture to write; - writes PNG to standard output")
     ->type_name("FILE");
@@ -156,8 +156,7 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
     [](const std::string& text) { return ParseCount(text, 1024); }, "threads to use [all]");
   CLI::Option* quiet =
     app.add_flag("--quiet", options.quiet, "no progress bar and no warnings, only errors");
-  app.add_flag("--verbose", options.verbose, "report what was done and how long it took")
-    ->excludes(quiet);
+  app.add_flag("--verbose", options.verbose, "report each step and its time")->excludes(quiet);
   app
     .add_flag_callback(
       "--formats", [] { throw CLI::CallForVersion(DescribeFormats(), 0); },

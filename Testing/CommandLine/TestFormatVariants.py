@@ -345,7 +345,7 @@ class TestAbaqus(VariantsTest):
     def test_other_elements_are_skipped_with_a_warning(self):
         text = abaqus(CUBE, ("B31", [(0, 1), (1, 2)]), ("S4", CUBE_FACES), ("T3D2", [(0, 3)]))
         line = self.warning("a.inp", text)
-        self.assertIn("elements of types that are not drawn, such as 'B31', are skipped; they take up 3 lines", line)
+        self.assertIn("elements of unsupported types, such as 'B31', are skipped; they take up 3 lines", line)
         self.assertEqual(self.read("picture.pnm"), self.reference((CUBE, CUBE_FACES)))
 
     def test_all_parts_are_read(self):
@@ -362,8 +362,8 @@ class TestAbaqus(VariantsTest):
     def test_unsupported_keywords_are_refused(self):
         whole = abaqus(*TETRAHEDRON[:1], ("S3", TETRAHEDRON[1]))
         for old, new, word in (
-                ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE names another file"),
-                ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE names another file"),
+                ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE refers to another file"),
+                ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE refers to another file"),
                 ("*Node\n", "*Node, system=C\n", "rectangular coordinates"),
                 ("*Element", "*Ngen\n1, 5, 1\n*Element", "line 8: *NGEN creates or moves"),
                 ("*Heading", "8 12 0 0 0", "AVS"), ("*Heading", "# made by AVS\n8 12 0 0 0", "AVS"),

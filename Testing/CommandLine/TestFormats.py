@@ -145,7 +145,7 @@ class TestFormatsList(FormatsTest):
         for name in ("letter.txt", "letter", "letter.gz", "mesh.ply.zip", "letter.txt.gz"):
             self.write(name, "Dear reader")
             line = self.fail_to_read(name)
-            self.assertIn("its kind is not known", line)
+            self.assertIn("its format is unknown", line)
             self.assertIn(".vtp .vtk .vtu", line)
 
     def test_unsupported_formats_are_refused_with_advice(self):
@@ -222,7 +222,7 @@ class TestParts(FormatsTest):
                          self.picture("front.ply", "box.obj", *FLAT))
         self.write("wrong.vtm", text.replace("parts/back.vtp", "letter.txt"))
         self.write("letter.txt", "Dear reader")
-        self.assertIn("its part 'letter.txt': its kind is not known", self.fail_to_read("wrong.vtm"))
+        self.assertIn("its part 'letter.txt': its format is unknown", self.fail_to_read("wrong.vtm"))
 
     def test_circular_references_are_errors(self):
         text = self.read("tetrahedron.vtm").decode()

@@ -36,7 +36,7 @@ CASES = (
      "all faces lie behind the camera; try without --camera-position or --focal-point"),
     (TETRAHEDRON, ("--focal-point", "50,0,0"), OUTSIDE + "--focal-point"),
     (SQUARE, AT_Z + ("--focal-point", "30,0,0", "--zoom", "2"), OUTSIDE + "--focal-point or --zoom"),
-    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces look so small that they fall "
+    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces appear so small that they fall "
      "between the pixels; try a larger --zoom or --size"),
     # The surface.
     (TETRAHEDRON, ("--color", "black"), NO_COLOUR),

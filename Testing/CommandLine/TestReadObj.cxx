@@ -170,7 +170,7 @@ TEST(ReadObj, InvalidIndices)
   ExpectFailure(Square + "f 1 2 5\nf 1 2 6\nf 1 2 7\nv 0 0 0\nv 0 0 0\n",
     "line 7 uses point 7, but the file has 6 points (v)" + mend);
   ExpectFailure(Square + "f 0 1 2\n",
-    "line 5 uses point 0, but indices count from 1; so far the file has 4 points (v)" + mend);
+    "line 5 uses point 0, but indices start at 1; so far the file has 4 points (v)" + mend);
   ExpectFailure("v 0 0 0\nf 1 1 -2\nv 0 0 0\n",
     "line 2 uses point -2, but before that line it has 1 point (v)" + mend);
   ExpectFailure(Square + "f 1 2 99999999999999999999\n",
@@ -184,7 +184,7 @@ TEST(ReadObj, InvalidIndices)
   ExpectFailure(Square + "vn 0 0 1\nf 1/1 2/2 3/1\n",
     "line 6 uses texture coordinate 1, but the file has no texture coordinates (vt)" + mend);
   ExpectFailure(Square + "vn 0 0 1\nf 1//0 2//1 3//1\n",
-    "line 6 uses normal 0, but indices count from 1; so far the file has 1 normal (vn)" + mend);
+    "line 6 uses normal 0, but indices start at 1; so far the file has 1 normal (vn)" + mend);
   ExpectFailure(Square + "l 1 5\n", "line 5 uses point 5, but the file has 4 points (v)" + mend);
   ExpectFailure(Square + "f 1 5\n", "line 5 uses point 5, but the file has 4 points (v)" + mend);
 }

@@ -199,7 +199,7 @@ TEST(ReadPly, ExtraDataAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
-    "lambent: warning: ignored 6 bytes after the last element that its header names\n");
+    "lambent: warning: ignored 6 bytes after the last element that its header declares\n");
   EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
   const std::string binary =
@@ -207,9 +207,9 @@ TEST(ReadPly, ExtraDataAtTheEnd)
     "property char y\nproperty char z\nend_header\nabc";
   EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "d").warnings,
-    "lambent: warning: ignored 1 byte after the last element that its header names\n");
+    "lambent: warning: ignored 1 byte after the last element that its header declares\n");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
-    "lambent: warning: ignored 2 bytes after the last element that its header names\n");
+    "lambent: warning: ignored 2 bytes after the last element that its header declares\n");
 }
 
 TEST(ReadPly, EmptyFacesKeepTheirIds)

@@ -133,7 +133,7 @@ class TestReading(CommandTest):
                          ("3 6 9 12", "3 6 9 4611686018427387904")):
             self.assertIn(old, text)
             self.write("wrong.vtp", text.replace(old, new))
-            self.assertIn("is impossible", self.fail_to_read("wrong.vtp"))
+            self.assertIn("is invalid", self.fail_to_read("wrong.vtp"))
 
     def test_cells_with_the_wrong_number_of_points_are_refused(self):
         tetrahedron = CUBE[:4], [(0, 1, 2, 3)]
@@ -192,7 +192,7 @@ class TestReading(CommandTest):
     def test_lists_of_the_wrong_length_are_refused(self):
         text = make.vtk_text(TETRAHEDRON)
         for size, words in ((15, "at cell 3 of 4 of its POLYGONS"),
-                            (17, "has 16 numbers, but its first line says 17; correct that line"),
+                            (17, "has 16 numbers, but its first line declares 17; correct that line"),
                             (99999, "too small for the count of 99999")):
             self.write("wrong.vtk", text.replace("POLYGONS 4 16", "POLYGONS 4 %d" % size))
             self.assertIn(words, self.fail_to_read("wrong.vtk"))

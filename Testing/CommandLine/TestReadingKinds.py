@@ -121,7 +121,7 @@ class TestReadingKinds(CommandTest):
                 ("f 1/1 2/2 3/3\n", "line 5 uses texture coordinate 1, but the file has no texture "
                                     "coordinates (vt)"),
                 ("f 1 2 5\n", "line 5 uses point 5, but the file has 4 points (v)"),
-                ("f 0 1 2\n", "line 5 uses point 0, but indices count from 1; so far the file has "
+                ("f 0 1 2\n", "line 5 uses point 0, but indices start at 1; so far the file has "
                               "4 points (v)"),
                 ("f 1 2 -5\n", "line 5 uses point -5, but before that line it has 4 points (v)")):
             self.assertEqual(self.failure("wrong.obj", CORNERS + text), line + end)
@@ -148,7 +148,7 @@ class TestReadingKinds(CommandTest):
             "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
         lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
         self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes after the last "
-                                 "element that its header names"])
+                                 "element that its header declares"])
 
     def test_a_missing_last_line_end_causes_no_warning(self):
         for name, content in (("end.obj", make.obj(SQUARE)), ("end.ply", make.ply_text(SQUARE)),

@@ -137,7 +137,7 @@ class TestRecreating(CommandTest):
         self.write("c.png", with_text(self.draw("--size", "9x9"), CONTRACT, "7"))
         done = self.run_command("--recreate", "c.png", "-o", "b.png")
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr.decode(), r"warning: 'c.png' was drawn under image contract 7, "
+        self.assertRegex(done.stderr.decode(), r"warning: 'c.png' was rendered under image contract 7, "
                                                r"but this version has \d+; bits may differ")
         self.succeed("--recreate", "c.png", "-o", "b.png", "--quiet")
 

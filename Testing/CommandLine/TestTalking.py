@@ -105,17 +105,17 @@ class TestTalking(CommandTest):
         picture = ("-o", "x.png", "--size", "9x9")
         angle = ("--feature-angle", "30")
         said = "lambent: warning: --feature-angle has no effect"
-        own = said + (": all meshes have point normals; leave it out, or remove the normals from the "
+        own = said + (": all meshes have point normals; omit it, or remove the normals from the "
                       "files\n")
         for arguments, expected in (
                 (("normals.obj", *angle), own),
                 (("normals.obj", "normals.obj", *angle), own),
                 (("square.obj", "--shading", "flat", *angle),
-                 said + " with --shading flat; leave one of them out\n"),
+                 said + " with --shading flat; omit one of them\n"),
                 (("square.obj", "--shading", "unlit", *angle),
-                 said + " with --shading unlit; leave one of them out\n"),
+                 said + " with --shading unlit; omit one of them\n"),
                 (("cubes.vtk", "--contour", "0.5", *angle), said + ": the contour has its own "
-                 "normals, from the array's gradient; leave it out\n")):
+                 "normals, from the array's gradient; omit it\n")):
             done = self.run_command(*arguments, *picture)
             self.assertEqual((done.returncode, done.stderr.decode()), (0, expected))
             self.succeed(*arguments, *picture, "--quiet")

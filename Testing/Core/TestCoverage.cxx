@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Coverage decides a ray as certain only if it is right, also where rays pass edges as closely as
+// Coverage treats a sample as certain only if it is right, also where rays pass edges as closely as
 // float can resolve.
 #include "Coverage.h"
 #include "InstructionSets.h"

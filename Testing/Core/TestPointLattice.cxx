@@ -100,7 +100,7 @@ void expectAdded(
 }
 }
 
-TEST(PointLattice, KeepsEveryRayThatHits)
+TEST(PointLattice, KeepsEverySampleThatHits)
 {
   for (const Window& window : { Window{ 0, 40, 0, 30 }, Window{ 7, 23, 11, 12 } })
   {
@@ -119,7 +119,7 @@ TEST(PointLattice, KeepsEveryRayThatHits)
   }
 }
 
-// A point between two rays is located between these two, so that a triangle between rays is
+// A point between two samples is located between these two, so that a triangle between samples is
 // dropped.
 TEST(PointLattice, LocatesPointsBetweenSamples)
 {

@@ -26,7 +26,7 @@ void CheckFile(const std::string& path, bool mayBeEmpty)
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    throw Failure("it is not a regular file; save it to one");
+    throw Failure("it is not a regular file; copy it to one");
   }
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))

@@ -87,7 +87,7 @@ private:
       if (!this->CanHold(number->GetComponent(0, 0)))
       {
         throw Failure("it is incomplete or corrupt: the last offset of '" +
-          std::string(cells->GetName()) + "' is impossible; use a complete copy");
+          std::string(cells->GetName()) + "' is invalid; use a complete copy");
       }
     }
   }

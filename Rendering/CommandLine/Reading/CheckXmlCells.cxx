@@ -40,7 +40,7 @@ void XmlCellsCheck::Check(
     if (!parser.CanHold(LastOffset(values)))
     {
       throw Failure("it is incomplete or corrupt: the last value of '" + name +
-        "' is impossible; use a complete copy");
+        "' is invalid; use a complete copy");
     }
     if (name == "faceoffsets")
     {

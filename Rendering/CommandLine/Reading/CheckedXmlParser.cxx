@@ -32,7 +32,7 @@ std::string Attribute(vtkXMLDataElement* element, const char* name)
 [[noreturn]] void Fail(vtkXMLDataElement* element, const std::string& what)
 {
   throw Failure("it is incomplete or corrupt: " + what + " of '" + element->GetName() + " " +
-    Attribute(element, "Name") + "' is impossible; use a complete copy");
+    Attribute(element, "Name") + "' is invalid; use a complete copy");
 }
 
 } // namespace

@@ -63,7 +63,7 @@ void RequireRoom(bool isEnough, std::size_t count)
 
 [[noreturn]] void ThrowMore()
 {
-  throw Failure("it has more numbers than its Dim0 and Dim1 say" + std::string(Whole));
+  throw Failure("it has more numbers than its Dim0 and Dim1 declare" + std::string(Whole));
 }
 
 std::vector<double> DecodeText(const std::string& text, std::size_t count)

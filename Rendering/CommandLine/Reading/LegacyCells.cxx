@@ -76,7 +76,7 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   if (at != size)
   {
     throw Failure("the list of its " + std::to_string(cells) + " " + keyword + " has " +
-      std::to_string(at) + " numbers, but its first line says " + std::to_string(size) +
+      std::to_string(at) + " numbers, but its first line declares " + std::to_string(size) +
       "; correct that line, or use a complete copy");
   }
   offsets->SetValue(cells, ids);

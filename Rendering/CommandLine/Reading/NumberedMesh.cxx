@@ -94,8 +94,7 @@ void NumberedMesh::EndPart()
         throw Failure("its element " + std::to_string(this->Elements[element]) + " uses node " +
           std::to_string(node) +
           ", which does not exist; correct it in the program that writes the file, or use a "
-          "complete "
-          "copy");
+          "complete copy");
       }
       node = id;
     }

@@ -119,7 +119,7 @@ private:
     if (keyword.name == "INCLUDE" || (isMesh && keyword.parameters.count("INPUT") > 0))
     {
       this->Lines.Fail("*" + keyword.name +
-        " names another file, which is not read; replace this line by the lines of that file");
+        " refers to another file, which is not read; replace this line by the lines of that file");
     }
     const auto system = keyword.parameters.find("SYSTEM");
     if (isMesh && system != keyword.parameters.end() && system->second != "R")
@@ -207,7 +207,7 @@ private:
   {
     if (this->LeftOut > 0)
     {
-      vtkGenericWarningMacro("elements of types that are not drawn, such as "
+      vtkGenericWarningMacro("elements of unsupported types, such as "
         << Quoted(this->FirstLeftOut) << ", are skipped; they take up " << this->LeftOut
         << " lines");
     }

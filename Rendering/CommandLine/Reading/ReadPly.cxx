@@ -44,7 +44,7 @@ void WarnOfRest(PlyCursor& cursor)
   if (bytes > 0)
   {
     vtkGenericWarningMacro(<< "ignored " << bytes << (bytes == 1 ? " byte" : " bytes")
-                           << " after the last element that its header names");
+                           << " after the last element that its header declares");
   }
 }
 
