@@ -106,7 +106,7 @@ std::vector<std::string> describeMissing(const SceneSettings& settings)
       const std::string list = listArrays(settings, array.association);
       messages.push_back("AddPassArray() was given the " + describe(array) +
         ", which no input has; its values are NaN. " +
-        (list.empty() ? "There are none." : "There are: " + list + "."));
+        (list.empty() ? "The inputs have none." : "The inputs have " + list + "."));
     }
   }
   return messages;

@@ -201,7 +201,7 @@ TEST(BadPasses, WarnsOfArraysThatNoInputHas)
   studio.tracer->RemoveAllPassArrays();
   studio.tracer->AddPassArray(cells, "Heat"); // a point array
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "cell array \"Heat\"", "There are none." });
+  expectMessage(messages.warnings(), { "cell array \"Heat\"", "The inputs have none." });
   messages.clear();
   studio.tracer->RemoveAllPassArrays();
   studio.tracer->AddPassArray(points, "Heat"); // the remedy

@@ -108,7 +108,7 @@ Picture draw(const Stage& stage, const Manner& manner)
 {
   if (!manner.backend.empty())
   {
-    throw std::runtime_error("the core alone has no backends; leave out --backend");
+    throw std::runtime_error("the core has no backends; omit --backend");
   }
   const int threads = manner.threads > 0
     ? manner.threads
