@@ -275,7 +275,7 @@ class TestGmsh(VariantsTest):
                 ("\n10 2", "\n7 2", "two nodes with the number 7"),
                 ("\n10 2", "\n10 nan", "node 10 has a coordinate that is not a finite number"),
                 ("\n10 2", "\n10 x", "line 11: there is no number where a coordinate"),
-                ("$Nodes\n4", "$Nodes\n3", "line 13: the section $Nodes does not end"),
+                ("$Nodes\n4", "$Nodes\n3", "line 13: the section $Nodes does not have the length"),
                 ("$Nodes\n4", "$Nodes\n9000000000000000000", "line 14: there is no number"),
                 ("$Nodes\n4", "$Nodes\n-4", "is negative"),
                 ("$Elements\n4", "$Elements\n5", "there is no number"),

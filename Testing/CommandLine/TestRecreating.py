@@ -151,7 +151,7 @@ class TestRecreating(CommandTest):
                           self.fail_with(1, "--recreate", "c.png", "-o", "b.png"), value)
         for key in (CONTRACT, COMMAND_KEY):
             self.write("c.png", with_text(drawn, key, None))
-            self.assertIn("does not record", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
+            self.assertIn("does not store", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.write("c.png", drawn[:-20])
         self.assertIn("not a complete PNG file", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.assertIn("no such file", self.fail_with(1, "--recreate", "none.png"))
