@@ -30,7 +30,7 @@ void AddFilm(CLI::App& app, Options& options)
     ->excludes(background)
     ->excludes(image);
   AddValue(app, "--pass", "NAME[=FILE]", options.passes, ParsePass,
-    "data to store beside the picture, see below; repeatable");
+    "data to store in addition to the picture, see below; repeatable");
 }
 
 void CheckFilm(const Options& options)
