@@ -5,7 +5,7 @@
 # shell, with $root set to the project's folder. Messages go to standard error; standard output
 # belongs to the script.
 
-# Put Debian's cmake, ninja, compilers and python3 first on PATH: only these fit Debian's VTK.
+# Put Debian's cmake, ninja, compilers and python3 first on PATH: Debian's VTK needs these.
 PATH="/usr/bin:/bin:/usr/sbin:/sbin:$PATH"
 export PATH
 
@@ -48,7 +48,7 @@ need_build() {
   need "the command (CLI11)" libcli11-dev
   need "glTF, COLLADA, FBX, 3DS, 3MF and AMF in the command (assimp)" libassimp-dev
   need "Python and the tests" python3-vtk9 python3-numpy libgtest-dev
-  need "pictures as tests in pytest" python3-pytest python3-pytest-xdist python3-pil
+  need "image tests with pytest" python3-pytest python3-pytest-xdist python3-pil
 }
 
 need_benchmarks() {
@@ -66,16 +66,17 @@ need_matrix() {
 install_missing() {
   [ -n "$missing" ] || return 0
   command -v apt-get >/dev/null ||
-    fail "there is no apt-get here to install them. Install what your system has for them, then" \
+    fail "cannot install them without apt-get. Install the packages of your system for them, then" \
       "run 'cmake --workflow --preset default' in $root"
   become=
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null ||
-      fail "that needs root. Run as root: apt-get install --no-install-recommends$missing"
+      fail "cannot install them without root. Run as root:" \
+        "apt-get install --no-install-recommends$missing"
     become=sudo
   fi
   mkdir -p "$build"
-  say "Installing them with apt, log: $build/apt.log ..."
+  say "Installing the missing packages, log: $build/apt.log ..."
   # shellcheck disable=SC2086 # $become and $missing are lists of words
   for step in update "install --no-install-recommends $missing"; do
     quietly "$build/apt.log" $become env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes \
@@ -89,7 +90,7 @@ configure() {
   cache="$build/CMakeCache.txt"
   # If the project's folder was copied or renamed, its build tree still points to the old path.
   if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
-    say "$build was made for another folder; starting anew"
+    say "$build belongs to another folder; creating a new build"
     rm -rf "$build"
   fi
   set -- -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPython3_EXECUTABLE=/usr/bin/python3 \
@@ -100,7 +101,7 @@ configure() {
   quietly "$build/configure.log" cmake "$@"
 }
 
-# The benchmarks have a separate build without anything else.
+# The benchmarks have a separate build that contains nothing else.
 configure_benchmarks() {
   build="$root/build/benchmarks"
   configure -DLAMBENT_BUILD_BENCHMARKS=ON -DLAMBENT_BUILD_TESTING=OFF \

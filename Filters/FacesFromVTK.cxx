@@ -22,7 +22,7 @@ TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   {
     std::ostringstream text;
     text << "The points have " << points->GetData()->GetNumberOfComponents()
-         << " components, not 3. Give vtkPoints an array of 3.";
+         << " components, not 3. Give vtkPoints an array of 3 components.";
     throw std::runtime_error(text.str());
   }
   return spans.tuples(points ? points->GetData() : nullptr);
@@ -34,7 +34,7 @@ TupleSpan pointsOf(vtkPolyData* polyData, SpansFromVTK& spans)
   text << "Cell " << cell << " ";
   if (defect.kind == CellDefect::Offsets)
   {
-    text << "begins or ends outside of the connectivity of its vtkCellArray. Rebuild the "
+    text << "begins or ends outside the connectivity of its vtkCellArray. Rebuild the "
             "array, for instance with InsertNextCell().";
   }
   else
@@ -75,8 +75,8 @@ FacesFromVTK::FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel)
   {
     std::ostringstream text;
     text << this->Checked.notFinite
-         << " cells have points with coordinates that are infinite or not numbers, and count for "
-            "nothing; the first is cell "
+         << " cells have points with coordinates that are infinite or NaN, and are ignored; the "
+            "first is cell "
          << firstPolygon + static_cast<vtkIdType>(this->Checked.firstNotFinite)
          << ". Correct or remove them.";
     this->Warning = text.str();

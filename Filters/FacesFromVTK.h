@@ -20,7 +20,7 @@ class FacesFromVTK
 {
 public:
   /// The polydata must outlive this object. Throws std::runtime_error, with the remedy in its
-  /// message, if a cell names a point that does not exist.
+  /// message, if a cell uses a point that does not exist.
   FacesFromVTK(vtkPolyData* polyData, const Parallel& parallel);
 
   const Faces& faces() const { return this->Checked.faces; }

@@ -58,7 +58,7 @@ void checkLengths(vtkDataSetAttributes* data, vtkIdType expected, const std::str
       throw std::runtime_error("The " + kind + " data array \"" + name + "\" has " +
         std::to_string(array->GetNumberOfTuples()) + " tuples, but there are " +
         std::to_string(expected) + " " + kind +
-        "s, each of which needs one. Remove the array or give it the right length.");
+        "s, each of which needs a tuple. Remove the array or correct its length.");
     }
   }
 }

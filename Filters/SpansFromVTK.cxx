@@ -16,7 +16,7 @@ IndexSpan toIndices(vtkDataArray* array)
     static_cast<std::size_t>(array->GetNumberOfValues()) };
 }
 
-/// The type of an array's numbers, which are not bits.
+/// The type of an array's values. The array must not be of bits.
 AttributeType attributeType(vtkDataArray* array)
 {
   if (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE)

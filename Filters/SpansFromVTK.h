@@ -29,8 +29,8 @@ class SpansFromVTK
 public:
   /// Tuples of three components; no tuples for nullptr.
   TupleSpan tuples(vtkDataArray* array);
-  /// Any number type and number of components; bits become bytes. None for nullptr; an empty span
-  /// of that type if there are no tuples.
+  /// Values of any number type and number of components. Bits become bytes. Returns a null span for
+  /// nullptr, and an empty span of the array's type if it has no tuples.
   AttributeSpan attribute(vtkDataArray* array, bool isPerCell);
   /// No cells for nullptr.
   CellSpan cells(vtkCellArray* array);

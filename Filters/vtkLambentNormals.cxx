@@ -101,7 +101,7 @@ int vtkLambentNormals::RequestData(
   {
     vtkErrorMacro("There is not enough memory for the normals of "
       << vtkPolyData::GetData(inputs[0])->GetNumberOfPoints()
-      << " points and the work on them. Process the mesh in parts.");
+      << " points and their intermediate data. Process the mesh in parts.");
   }
   catch (const std::exception& failure)
   {
@@ -120,9 +120,9 @@ void vtkLambentNormals::WarnOfFlipping(vtkPolyData* input)
     this->FlipNormals && !this->ComputePointNormals && (hasNormals || !this->ComputeCellNormals);
   if (isIdle && !this->HasWarnedOfFlipping)
   {
-    vtkWarningMacro("FlipNormals turns the polygons round but no point normals, since "
+    vtkWarningMacro("FlipNormals reverses the polygons, but not the point normals, since "
                     "ComputePointNormals is off"
-      << (hasNormals ? "; those of the input now point the other way" : "")
+      << (hasNormals ? "; the input's normals are now opposite to the faces" : "")
       << ". Call ComputePointNormalsOn() or FlipNormalsOff().");
   }
   this->HasWarnedOfFlipping = isIdle;

@@ -11,7 +11,7 @@
  *
  * How it works:
  *
- * 1. Check all cells: each must name points that exist.
+ * 1. Check all cells: each must use points that exist.
  * 2. If Splitting is on, split the mesh along its sharp edges.
  * 3. Divide the points into ranges. For each range, walk the faces in order and add their
  *    contributions to the points of the range.
@@ -45,7 +45,7 @@
  * The input is never modified. Its point or cell normals are passed on if this filter does
  * not compute them.
  *
- * Bad input: it is an error if a cell names a point that does not exist, or if a data array
+ * Bad input: it is an error if a cell uses a point that does not exist, or if a data array
  * has the wrong length where points are duplicated or strips become triangles. The output
  * is then empty. Polygons and strips with an infinite or NaN coordinate contribute
  * nothing and cause one warning. An empty input gives an empty output.

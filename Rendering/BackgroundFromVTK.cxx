@@ -24,7 +24,7 @@ BackgroundImage backgroundFromVTK(vtkImageData* image, SpansFromVTK& spans)
   vtkDataArray* const colors = image->GetPointData()->GetScalars();
   if (!colors || colors->GetNumberOfTuples() == 0)
   {
-    refuse("without scalars. Update the filter or reader that it comes from first.");
+    refuse("without scalars. Update the filter or reader that produces it first.");
   }
   if (size[2] != 1)
   {
@@ -47,7 +47,7 @@ BackgroundImage backgroundFromVTK(vtkImageData* image, SpansFromVTK& spans)
   if (colors->GetNumberOfTuples() != pixels)
   {
     refuse("of " + std::to_string(pixels) + " pixels, but its scalars have " +
-      std::to_string(colors->GetNumberOfTuples()) + " tuples. Set its extent to that of them.");
+      std::to_string(colors->GetNumberOfTuples()) + " tuples. Set its extent to match them.");
   }
   return { spans.attribute(colors, false), size[0], size[1] };
 }

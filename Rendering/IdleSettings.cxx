@@ -32,27 +32,25 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     }
   };
   add(property->GetRepresentation() == VTK_WIREFRAME,
-    "SetRepresentationToWireframe() has no effect; faces are drawn filled. Make tubes of the "
-    "edges, "
-    "with vtkExtractEdges and vtkTubeFilter.");
+    "SetRepresentationToWireframe() has no effect; faces are always filled. Convert the edges to "
+    "tubes with vtkExtractEdges and vtkTubeFilter.");
   add(property->GetRepresentation() == VTK_POINTS,
-    "SetRepresentationToPoints() has no effect; faces are drawn filled. Make spheres of the "
-    "points, "
-    "with vtkGlyph3D.");
+    "SetRepresentationToPoints() has no effect; faces are always filled. Convert the points to "
+    "spheres with vtkGlyph3D.");
   add(property->GetOpacity() != 1.0,
     "SetOpacity() has no effect; every surface is opaque. Set it back to 1, or remove the input.");
   add(property->GetEdgeVisibility() != 0,
-    "EdgeVisibilityOn() has no effect. Make tubes of the edges, with vtkExtractEdges and "
-    "vtkTubeFilter, as a further input.");
+    "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
+    "vtkExtractEdges and vtkTubeFilter.");
   add(property->GetVertexVisibility() != 0,
-    "VertexVisibilityOn() has no effect. Make spheres of the points, with vtkGlyph3D, as a further "
-    "input.");
+    "VertexVisibilityOn() has no effect. Add spheres at the points as another input, with "
+    "vtkGlyph3D.");
   add(property->GetSpecular() != 0.0,
-    "SetSpecular() has no effect; there are no highlights. Set it back to 0.");
+    "SetSpecular() has no effect; highlights are not supported. Set it back to 0.");
   add(property->GetInterpolation() == VTK_PBR,
-    "SetInterpolationToPBR() has no effect but smooth shading. Call SetInterpolationToPhong().");
+    "SetInterpolationToPBR() only selects smooth shading. Call SetInterpolationToPhong() instead.");
   add(property->GetNumberOfTextures() > 0,
-    "SetTexture() has no effect. Call SetColor(), and RemoveAllTextures().");
+    "SetTexture() has no effect. Call SetColor() and RemoveAllTextures().");
 }
 
 /// Names the inputs in a few words, no matter how many there are.
@@ -116,9 +114,9 @@ std::string whyNoNormalsAreComputed(const SceneSettings& settings)
   }
   return !isAnyDrawn ? ""
     : isAnySmooth
-    ? "every input that is shaded smooth has point normals of its own. Call UsePointNormalsOff(), "
-      "so that normals are computed"
-    : "no input is lit and shaded smooth. Call vtkProperty::LightingOn() and "
+    ? "all smooth-shaded inputs already have point normals. Call UsePointNormalsOff() to compute "
+      "normals instead"
+    : "no input is lit and smooth-shaded. Call vtkProperty::LightingOn() and "
       "SetInterpolationToPhong()";
 }
 
@@ -153,8 +151,7 @@ void addLights(Messages& messages, const SceneSettings& settings)
     if (settings.lights[k]->GetSwitch() && isWithoutDirection(settings.lights[k]))
     {
       messages.push_back("Light " + std::to_string(k) +
-        " gives no diffuse light: it stands at its own focal point, so that it shines in no "
-        "direction. Call "
+        " gives no diffuse light: it is at its own focal point, so it has no direction. Call "
         "vtkLight::SetPosition() or SetFocalPoint().");
     }
   }
@@ -168,7 +165,7 @@ void addBackground(Messages& messages, const SceneSettings& settings)
     messages.push_back(
       std::string(settings.backgroundImage ? "SetBackgroundImage()" : "SetBackground()") +
       " has no effect: with OutputAlpha the picture has no background. Call OutputAlphaOff(), or "
-      "lay the picture over a background afterwards.");
+      "composite the picture over a background afterwards.");
   }
 }
 }

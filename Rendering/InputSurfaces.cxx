@@ -57,7 +57,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
         if (triangles >= noTriangle)
         {
           throw std::runtime_error(
-            "with it the scene has more than 4294967294 triangles, the most that it can have.");
+            "with it the scene has more than 4294967294 triangles, which is the maximum.");
         }
       });
   }
@@ -149,8 +149,8 @@ void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& a
   }
 }
 
-/// Floats, unless the numbers of one input do not fit into them. Inputs without values count only
-/// if there are no others.
+/// Returns the form of the output array: double if an input has numbers that float cannot hold,
+/// otherwise float. Inputs without values are considered only if no input has values.
 InputSurfaces::ArrayForm InputSurfaces::formOf(std::size_t attribute) const
 {
   const auto valuesOf = [attribute](const auto& surface) -> const AttributeSpan&
@@ -201,7 +201,7 @@ std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
   const Place place = this->find(defects.firstNotFinite);
   return std::to_string(defects.notFinite) +
     (defects.notFinite == 1 ? " cell has a point that is" : " cells have a point that is") +
-    " not finite and cannot be drawn; the first is cell " + std::to_string(place.cell) +
+    " not finite and cannot be rendered; the first is cell " + std::to_string(place.cell) +
     " of input " + std::to_string(place.input) + ". Remove such cells or correct their points.";
 }
 }

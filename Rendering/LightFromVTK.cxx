@@ -83,8 +83,8 @@ std::string describeDefect(const Light& light)
   }
   if (light.positional && attenuation.x <= 0.0 && attenuation.y <= 0.0 && attenuation.z <= 0.0)
   {
-    return "has no positive attenuation value, so that its light would be divided by zero or "
-           "less. Call vtkLight::SetAttenuationValues(1, 0, 0) for light that does not fade.";
+    return "has no positive attenuation value, so its light would be divided by zero or "
+           "less. Call vtkLight::SetAttenuationValues(1, 0, 0) for light without attenuation.";
   }
   return "";
 }

@@ -45,7 +45,7 @@ std::string listArrays(const SceneSettings& settings, int association)
   return list;
 }
 
-/// What is wrong with the names or associations, and the remedy; empty if nothing.
+/// Returns the first error in the names or associations with its remedy, or an empty string.
 std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
 {
   std::set<std::string> taken{ "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" };
@@ -62,8 +62,8 @@ std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
     if (!taken.insert(array.name).second)
     {
       return "AddPassArray() was given the " + describe(array) +
-        ", but the picture has another array of that name. Give the input's array a name of its "
-        "own, and call RemoveAllPassArrays().";
+        ", but the picture has another array of that name. Rename the input's array, and call "
+        "RemoveAllPassArrays().";
     }
   }
   return "";
@@ -95,7 +95,7 @@ std::vector<std::string> describeMissing(const SceneSettings& settings)
   std::vector<std::string> messages;
   if (!describeDefect(settings.passArrays).empty())
   {
-    return messages; // there will be an error, and no picture
+    return messages; // rendering will fail with that error
   }
   for (const SceneSettings::PassArray& array : settings.passArrays)
   {
@@ -106,7 +106,7 @@ std::vector<std::string> describeMissing(const SceneSettings& settings)
       const std::string list = listArrays(settings, array.association);
       messages.push_back("AddPassArray() was given the " + describe(array) +
         ", which no input has; its values are NaN. " +
-        (list.empty() ? "There are none." : "There are: " + list + "."));
+        (list.empty() ? "The inputs have none." : "The inputs have " + list + "."));
     }
   }
   return messages;

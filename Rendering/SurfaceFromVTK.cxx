@@ -102,7 +102,7 @@ TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, con
     text << "the " << kind << " normals, array " << describe(normals) << ", have "
          << normals->GetNumberOfTuples() << " tuples of " << normals->GetNumberOfComponents()
          << " components, but there are " << expected << " " << kind
-         << "s, each of which needs a tuple of 3. Remove the array or compute it anew, for "
+         << "s, each of which needs a tuple of 3. Remove the array or compute it again, for "
             "instance with vtkLambentNormals.";
     throw std::runtime_error(text.str());
   }
@@ -147,8 +147,8 @@ void SurfaceFromVTK::setCells(const Parallel& parallel)
   }
   if (this->Input->GetNumberOfPoints() > std::numeric_limits<std::int32_t>::max())
   {
-    throw std::runtime_error("polygons and strips of more than 2147483647 points cannot be cut "
-                             "into triangles here. Run vtkTriangleFilter first.");
+    throw std::runtime_error("polygons and strips of more than 2147483647 points cannot be "
+                             "triangulated here. Run vtkTriangleFilter first.");
   }
   if (hasStrips)
   {

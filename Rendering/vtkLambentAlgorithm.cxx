@@ -88,7 +88,7 @@ void vtkLambentAlgorithm::AddPassArray(int association, const char* name)
 {
   if (!name || !*name)
   {
-    vtkErrorMacro("AddPassArray() was given no name; it takes that of a point or cell array.");
+    vtkErrorMacro("AddPassArray() was given no name; it takes the name of a point or cell array.");
     return;
   }
   this->Internal->PassArrays.push_back({ association, name });
@@ -132,7 +132,7 @@ std::string vtkLambentAlgorithm::DescribeSamplingDefect() const
     text << "An image of " << this->ImageSize[0] << " x " << this->ImageSize[1] << " pixels with "
          << this->Supersampling << " x " << this->Supersampling
          << " samples each has more than 2147483647 samples along an axis. Call SetImageSize() or "
-            "SetSupersampling() with less.";
+            "SetSupersampling() with a smaller value.";
   }
   return text.str();
 }
@@ -191,8 +191,8 @@ int vtkLambentAlgorithm::RequestData(
   {
     vtkErrorMacro("There is not enough memory for an image of "
       << this->ImageSize[0] << " x " << this->ImageSize[1]
-      << " pixels and the work on it. Call SetImageSize() with a smaller one, or ask for the "
-         "image in parts.");
+      << " pixels and its intermediate data. Call SetImageSize() with a smaller size, or request "
+         "the image in parts.");
   }
   catch (const std::exception& failure)
   {

@@ -41,7 +41,7 @@
  * See vtkLambentAlgorithm for the output and for image size, background and the other
  * settings that do not depend on where the scene comes from.
  *
- * Bad input: errors are a polygon or strip that names a point that does not exist, normals
+ * Bad input: errors are a polygon or strip that uses a point that does not exist, normals
  * of the wrong length or type, an image size below 1 or too large for the memory, a view
  * angle outside (0, 180) degrees, a view-up parallel to the view direction, and settings
  * that are not finite. They name the cause and the remedy, and the output is empty. Cells

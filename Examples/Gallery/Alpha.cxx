@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A picture with alpha a, laid over white, black and an evening sky: c a + b (1 - a) for its colour
-// c and a background b. The colour of a pixel at an edge is that of the surface alone, so that the
-// edges are neither dark on white nor bright on black.
+// A picture with alpha a over white, black and an evening sky: c a + b (1 - a) for its colour c and
+// a background b. A pixel at an edge has the colour of the surface only, so that edges are neither
+// dark on white nor bright on black.
 
 #include "Gallery.h"
 
@@ -18,7 +18,7 @@
 namespace
 {
 
-/// A background: a channel's value in 0 to 1 at the height y, also in 0 to 1.
+/// A background: the value of a channel, from 0 to 1, at the height y, also from 0 to 1.
 using Background = double (*)(double y, int channel);
 
 double White(double, int)
@@ -84,7 +84,7 @@ int main(int argc, char* argv[])
   gallery::AddSurface(tracer, gallery::OnGrid(ring), property);
   gallery::AddLight(tracer, -2, 3, 3);
   gallery::LookFrom(tracer, 1, 2, 5, 240, 240);
-  tracer->SetBackground(0, 0, 0); // not LookFrom's: with alpha there is none
+  tracer->SetBackground(0, 0, 0); // undo LookFrom(): a picture with alpha has no background
   tracer->OutputAlphaOn();
   tracer->Update();
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Data beside the picture. Left: the picture. Middle: its depth z as grey, white where the surface
-// is nearest and darker with the distance. Right: its unit normal m as the colour (1 + m) / 2, so
-// that red, green and blue grow along x, y and z. Both are NaN where nothing is hit.
+// Passes. Left: the picture. Middle: its depth z as grey, white where the surface is nearest and
+// darker with increasing distance. Right: its unit normal m as the colour (1 + m) / 2, so that red,
+// green and blue increase along x, y and z. Both are NaN where no surface is hit.
 
 #include "Gallery.h"
 
@@ -20,7 +20,7 @@
 namespace
 {
 
-/// A picture of bytes of the same size. `color` gives red, green and blue of a pixel in 0 to 1.
+/// Makes a picture of bytes of the same size. color(pixel, channel) is from 0 to 1, or NaN.
 template <typename Color>
 vtkSmartPointer<vtkTrivialProducer> Show(vtkImageData* picture, Color color)
 {

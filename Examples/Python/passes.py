@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data beside the picture, as NumPy arrays: the picture, its depth as grey, white where the surface
-is nearest, and its normal m as the colour (1 + m) / 2."""
+"""Passes as NumPy arrays: the picture, its depth as grey, white where the surface is nearest, and
+its normal m as the colour (1 + m) / 2."""
 
 import gallery
 import numpy as np
@@ -28,7 +28,7 @@ gallery.add_surface(tracer, gallery.sphere(0), blue)
 gallery.add_light(tracer, (1, 3, 3))
 gallery.look_from(tracer, (2, 2.5, 5), 240, 240)
 
-# Row 0 is at the bottom; NaN is where nothing is hit.
+# Row 0 is at the bottom. Values are NaN where no surface is hit.
 tracer.GenerateNormalsOn()
 tracer.GenerateDepthOn()
 tracer.Update()

@@ -27,14 +27,14 @@ struct CellBlock
   std::int64_t firstPoint = 0, lastPoint = -1;
   bool hasOnlyTriangles = false;
 
-  /// Whether the block may name a point in [begin, end).
+  /// Whether the block may use a point in [begin, end).
   bool touches(std::int64_t beginPoint, std::int64_t endPoint) const
   {
     return this->firstPoint < endPoint && this->lastPoint >= beginPoint;
   }
 };
 
-/// An unusable cell: its offsets decrease or exceed the connectivity, or it names a point that
+/// An unusable cell: its offsets decrease or exceed the connectivity, or it uses a point that
 /// does not exist.
 struct CellDefect
 {

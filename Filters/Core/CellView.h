@@ -22,7 +22,7 @@ inline std::size_t cellCount(const CellSpan& cells)
   return cells.offsets.size > 0 ? cells.offsets.size - 1 : 0;
 }
 
-/// Cell i has the corners offsets[i] to offsets[i + 1] - 1; each names a point.
+/// Cell i has the corners offsets[i] to offsets[i + 1] - 1; each uses a point.
 template <typename Id>
 struct CellView
 {

@@ -50,7 +50,7 @@ public:
     if (this->Further > 0 && this->Points + this->Further > this->Most)
     {
       throw std::runtime_error("there would be more than " + std::to_string(this->Most) +
-        " normals. Compute them with vtkLambentNormals, or draw the mesh in parts.");
+        " normals. Compute them with vtkLambentNormals, or render the mesh in parts.");
     }
     Share::checkpoint(done);
   }

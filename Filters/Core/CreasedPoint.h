@@ -139,7 +139,7 @@ private:
     {
       if (this->FirstOfFace[i] != i)
       {
-        this->Groups.join(i, i - 1); // a face that names the point twice is still one face
+        this->Groups.join(i, i - 1); // a face that uses the point twice is still one face
       }
       const auto begin = this->AllCells.offsets[this->face(i)];
       const auto end = this->AllCells.offsets[this->face(i) + 1];

@@ -126,7 +126,7 @@ private:
     {
       if (i > 0 && corners[i].face == corners[i - 1].face)
       {
-        this->Groups.join(i, i - 1); // a face that names the point twice is still one face
+        this->Groups.join(i, i - 1); // a face that uses the point twice is still one face
       }
       const auto begin = cells.offsets[corners[i].face];
       const auto end = cells.offsets[corners[i].face + 1];

@@ -29,7 +29,7 @@ struct IsVector<std::vector<Item>> : std::true_type
 {
 };
 
-/// Adds an option whose text is parsed into `target`, or for a vector is parsed and appended.
+/// Adds an option whose text is parsed into `target`, or appended to it if it is a vector.
 template <typename Target, typename Parse>
 CLI::Option* AddValue(CLI::App& app, const std::string& name, const std::string& kind,
   Target& target, Parse parse, const std::string& help)

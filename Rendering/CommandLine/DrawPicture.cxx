@@ -79,7 +79,7 @@ Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* 
   const std::string error = messages.TakeError();
   if (!error.empty() || tracer->GetOutput()->GetNumberOfPoints() == 0)
   {
-    throw Failure("cannot render: " + (error.empty() ? "the picture came out empty" : error));
+    throw Failure("cannot render: " + (error.empty() ? "the picture is empty" : error));
   }
   progress.Erase();
   messages.FlushWarnings("");

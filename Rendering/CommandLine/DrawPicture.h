@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief renders the picture of the options, with its passes
+ * @brief renders the picture that the options describe, with its passes
  */
 
 #ifndef DrawPicture_h
@@ -25,14 +25,15 @@ class Progress;
 class Stopwatch;
 class VtkMessages;
 
-/// A picture with its passes as further arrays and, for a comparison, the ids of its pixels.
+/// A picture with its passes as additional arrays and, for a comparison, the ids of its pixels.
 struct Drawing
 {
   vtkSmartPointer<vtkImageData> picture;
   PixelIds ids;
 };
 
-/// Renders; the background image may be null. Warns if nothing is seen. Throws Failure.
+/// Renders the meshes. The background image may be null. Warns if no surface is visible. Throws
+/// Failure.
 Drawing DrawPicture(const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
   vtkImageData* background, VtkMessages& messages, Progress& progress, Stopwatch& stopwatch);
 

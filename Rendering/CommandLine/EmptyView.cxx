@@ -211,7 +211,8 @@ std::string WhyNothingIsHit(const Options& options,
   {
     return "no face lies in the view of the camera" + tryWithout;
   }
-  return "the faces look so small that they fall between the pixels; try a larger --zoom or --size";
+  return "the faces appear so small that they fall between the pixels; try a larger --zoom or "
+         "--size";
 }
 
 } // namespace lambent::command

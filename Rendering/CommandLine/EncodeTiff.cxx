@@ -74,7 +74,7 @@ std::vector<unsigned char> HeaderOf(const std::vector<Tag>& tags)
     }
     else
     {
-      values.resize(sizeof(std::uint32_t)); // shorts are on the left
+      values.resize(sizeof(std::uint32_t)); // shorts are left-justified
       bytes.insert(bytes.end(), values.begin(), values.end());
     }
   }
@@ -106,15 +106,15 @@ std::vector<Tag> TagsOf(const Layout& layout, std::size_t firstPixel)
     { 256, Long, { layout.width } }, { 257, Long, { layout.height } },
     { 258, Short, forEachChannel(8 * layout.channelSize) }, { 259, Short, { 1 } }, // not compressed
     { 262, Short, { layout.channels < 3 ? 1u : 2u } }, // grey, 0 is black; or RGB
-    { 273, Long, offsets }, { 274, Short, { 1 } },     // the top row first
+    { 273, Long, offsets }, { 274, Short, { 1 } },     // the top row comes first
     { 277, Short, { layout.channels } }, { 278, Long, { layout.rowsPerStrip } },
     { 279, Long, sizes }, { 282, Rational, { 1, 1 } },  // pixels are square
-    { 283, Rational, { 1, 1 } }, { 284, Short, { 1 } }, // the channels of a pixel lie side by side
-    { 296, Short, { 1 } },                              // of no unit of length
+    { 283, Rational, { 1, 1 } }, { 284, Short, { 1 } }, // the channels of a pixel are adjacent
+    { 296, Short, { 1 } },                              // no unit of length
   };
   if (layout.channels == 4)
   {
-    tags.push_back({ 338, Short, { isFloat ? 0u : 2u } }); // no meaning; or straight alpha
+    tags.push_back({ 338, Short, { isFloat ? 0u : 2u } }); // unspecified, or straight alpha
   }
   if (isFloat)
   {

@@ -4,14 +4,14 @@
  * @file
  * @brief encodes an image as an uncompressed TIFF file
  *
- * The pixels are stored as they are: bytes or 32-bit floats, 1, 3 or 4 of them, the top row first.
- * The fourth of four bytes is alpha, straight; that of four floats has no meaning of its own.
- * vtkTIFFWriter would declare alpha to be multiplied into the colours, and misses write errors.
+ * The pixels are stored unchanged: bytes or 32-bit floats, 1, 3 or 4 channels, the top row first.
+ * The fourth of four bytes is straight alpha; the fourth of four floats has no defined meaning.
+ * vtkTIFFWriter would declare premultiplied alpha, and does not report write errors.
  *
  * The file consists of a header, the tags with their values, and the pixels in strips of about 64
  * KiB (Adobe, TIFF, revision 6.0, 1992). Its byte order is that of the machine.
  *
- * Limit: the pixels must be smaller than 4 GiB, because offsets have 32 bits.
+ * Limit: the pixels must take less than 4 GiB, because offsets have 32 bits.
  */
 
 #ifndef EncodeTiff_h
@@ -24,7 +24,7 @@ class vtkImageData;
 namespace lambent::command
 {
 
-/// The bytes of the file of the image's scalars. Throws Failure if they are of another form.
+/// Returns the bytes of a file with the image's scalars. Throws Failure if TIFF cannot hold them.
 std::vector<unsigned char> EncodeTiff(vtkImageData* image);
 
 } // namespace lambent::command

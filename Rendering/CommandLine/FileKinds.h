@@ -27,7 +27,8 @@ enum class PictureKind
 /// The kind that belongs to a file's extension, in upper or lower case; empty if it is unknown.
 std::optional<PictureKind> PictureKindOf(const std::string& path);
 
-/// Why a picture at this path cannot have an alpha channel; empty if it can. "-" is a PNG.
+/// Returns why a picture at this path cannot have an alpha channel, or an empty string. "-" is a
+/// PNG.
 std::string WhyNoAlpha(const std::string& path);
 
 /// The extension of a file's name in lower case, such as ".png".

@@ -30,7 +30,7 @@ void AddFilm(CLI::App& app, Options& options)
     ->excludes(background)
     ->excludes(image);
   AddValue(app, "--pass", "NAME[=FILE]", options.passes, ParsePass,
-    "data to store beside the picture, see below; repeatable");
+    "data to store in addition to the picture, see below; repeatable");
 }
 
 void CheckFilm(const Options& options)
@@ -46,13 +46,13 @@ void CheckFilm(const Options& options)
     {
       throw CLI::ValidationError("--pass",
         "'" + pass.array +
-          "' is asked for twice, and the picture can hold one array of that name; leave one out");
+          "' is requested twice, but the picture can hold only one array of that name; omit one");
     }
     if (pass.file.empty() && PictureKindOf(options.output) != PictureKind::Vti)
     {
       throw CLI::ValidationError("--pass",
-        "'" + pass.text + "' names no file, such as " + pass.text +
-          "=FILE.tif; only a picture that is a .vti holds passes itself");
+        "'" + pass.text + "' needs a file, such as " + pass.text +
+          "=FILE.tif; only a .vti picture can hold passes itself");
     }
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the options about what is stored: background, alpha and passes
+ * @brief the options for the background, alpha and passes
  */
 
 #ifndef FilmOptions_h
@@ -18,14 +18,14 @@ class App;
 namespace lambent::command
 {
 
-/// A CLI11 check: the error in the name of a picture, or an empty string.
+/// A CLI11 check: returns the error if the path is not that of a picture, or an empty string.
 std::string IsPicture(const std::string& path);
 
 /// Adds --background, --background-image, --alpha and --pass.
 void AddFilm(CLI::App& app, Options& options);
 
-/// Throws CLI::ValidationError if the output cannot hold alpha, if two passes have one name, or if
-/// a pass would be stored nowhere.
+/// Throws CLI::ValidationError if the output cannot hold alpha, if two passes have the same name,
+/// or if a pass would not be stored anywhere.
 void CheckFilm(const Options& options);
 
 } // namespace lambent::command

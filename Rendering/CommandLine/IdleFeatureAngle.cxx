@@ -22,7 +22,7 @@ std::string WhyFeatureAngleIsIdle(
   if (options.shading != Shading::Smooth)
   {
     return noEffect + " with --shading " + (options.shading == Shading::Flat ? "flat" : "unlit") +
-      "; leave one of them out";
+      "; omit one of them";
   }
   bool isAnyDrawn = false;
   for (vtkPolyData* mesh : meshes)
@@ -39,9 +39,9 @@ std::string WhyFeatureAngleIsIdle(
   }
   return !isAnyDrawn ? ""
     : options.contour
-    ? noEffect + ": the contour has its own normals, from the array's gradient; leave it out"
+    ? noEffect + ": the contour has its own normals, from the array's gradient; omit it"
     : noEffect +
-      ": all meshes have point normals; leave it out, or remove the normals from the "
+      ": all meshes have point normals; omit it, or remove the normals from the "
       "files";
 }
 

@@ -198,8 +198,8 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 
 std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkImageData* drawn)
 {
-  // One sample per pixel: averages of two colours are neither. On a plain background: neither alpha
-  // nor a background image changes what is hit.
+  // Render one sample per pixel, because the average of two colours is neither of them, and a plain
+  // background, because neither alpha nor a background image changes what is hit.
   Options options = drawing;
   options.supersampling = 1;
   options.alpha = false;

@@ -5,7 +5,7 @@
  * @brief why a picture shows nothing
  *
  * A picture shows something if any pixel is neither black nor of the background colour; this test
- * is fast. (With a background image the scene is rendered once more without it.) Otherwise the
+ * is fast. (With a background image, the scene is first rendered again without it.) Otherwise the
  * scene is rendered again:
  * 1. all white and unlit, to find where a face is hit;
  * 2. with one property of the lights or the surface changed after the other, until something shows.

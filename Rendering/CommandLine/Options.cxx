@@ -38,10 +38,10 @@ Reads VTK's files, .ply .stl .obj .off .gltf .fbx and others, and all of them gz
 an array has a value, and the first step of a time series. Several inputs form one scene.
 Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a complete new one.
 
-A pass is what the middle sample of each pixel sees: depth, normals, positions, ids (of cells),
-input-ids, or an array of the inputs (point:NAME or cell:NAME if two have that name).
---pass depth=depth.tif writes it to a file, .tif (32-bit floats) or .vti. A picture that is a .vti
-holds all passes, and then the file may be left out.
+A pass stores what the middle sample of each pixel sees: depth, normals, positions, ids (of cells),
+input-ids, or an array of the inputs (point:NAME or cell:NAME if both kinds have that name).
+--pass depth=depth.tif writes it to a file, .tif (32-bit floats) or .vti. A .vti picture holds all
+passes, so the file may be omitted.
 
 'lambent compare A.png B.png' compares two existing pictures; see 'lambent compare --help'.
 
@@ -60,7 +60,7 @@ int ParseCount(const std::string& text, int largest)
 
 void AddFiles(CLI::App& app, Options& options)
 {
-  app.add_option("INPUT", options.inputs, "mesh files, drawn as one scene")->type_name("");
+  app.add_option("INPUT", options.inputs, "mesh files, rendered as one scene")->type_name("");
   app
     .add_option("-o,--output", options.output, "picture to write; - writes PNG to standard output")
     ->type_name("FILE");
@@ -71,7 +71,7 @@ void AddFiles(CLI::App& app, Options& options)
   AddValue(
     app, "--supersampling", "N", options.supersampling,
     [](const std::string& text) { return ParseCount(text, 16); },
-    "N x N samples per pixel, 1..16, for smooth edges [3; with --compare, as the baseline has]");
+    "N x N samples per pixel, 1..16, for smooth edges [3; with --compare, those of the baseline]");
 }
 
 void AddCamera(CLI::App& app, Options& options)
@@ -87,13 +87,13 @@ void AddCamera(CLI::App& app, Options& options)
     return value;
   };
   CLI::Option* position = AddValue(app, "--camera-position", "X,Y,Z", options.cameraPosition,
-    ParseTriple, "position of the eye [so that all is in view]");
+    ParseTriple, "position of the eye [such that all inputs are in view]");
   AddValue(app, "--focal-point", "X,Y,Z", options.focalPoint, ParseTriple,
-    "point that it looks at [the centre of the scene]");
+    "point that the camera looks at [the centre of the scene]");
   AddValue(app, "--view-up", "X,Y,Z", options.viewUp, ParseDirection,
     "the upward direction [0,1,0; 0,0,1 when looking along y]");
   AddValue(app, "--direction", "X,Y,Z", options.direction, ParseDirection,
-    "side from which it looks, with all in view [2,1.5,4: front, right and above]")
+    "side from which the camera looks, all inputs in view [2,1.5,4: front, right and above]")
     ->excludes(position);
   CLI::Option* viewAngle = AddValue(app, "--view-angle", "DEG", options.viewAngle, angle,
     "opening angle of the view over its height [30]");
@@ -156,8 +156,7 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
     [](const std::string& text) { return ParseCount(text, 1024); }, "threads to use [all]");
   CLI::Option* quiet =
     app.add_flag("--quiet", options.quiet, "no progress bar and no warnings, only errors");
-  app.add_flag("--verbose", options.verbose, "report what was done and how long it took")
-    ->excludes(quiet);
+  app.add_flag("--verbose", options.verbose, "report each step and its time")->excludes(quiet);
   app
     .add_flag_callback(
       "--formats", [] { throw CLI::CallForVersion(DescribeFormats(), 0); },
@@ -231,7 +230,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
       ->check(IsComparable));
   app
     .add_option("--recreate", parsed.options.recreate,
-      "draw a .png of this command again, from its text; without -o, compare the two")
+      "render a .png of this command again, with its stored options; without -o, compare the two")
     ->type_name("PICTURE")
     ->check(IsPng);
   AddRunning(app, parsed.options, version);

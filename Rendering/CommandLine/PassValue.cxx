@@ -32,7 +32,7 @@ constexpr KnownPass Known[] = {
   { "input-ids", Content::InputIds, "InputIds" },
 };
 
-/// Sets the pass to the array of that name, which may begin with point: or cell:.
+/// Makes the pass store the array of that name, which may begin with point: or cell:.
 void NameArray(PassValue& pass, const std::string& name)
 {
   pass.content = Content::Array;
@@ -50,14 +50,13 @@ void NameArray(PassValue& pass, const std::string& name)
   if (pass.array.empty())
   {
     throw BadValue("'" + pass.text +
-      "' names no array; write depth, normals, positions, ids, "
-      "input-ids or the name of an array");
+      "' needs a name: depth, normals, positions, ids, input-ids or the name of an array");
   }
   if (IsOwnArray(pass.array))
   {
     throw BadValue("'" + pass.array +
-      "' is the name of an array of the picture itself, which depth, normals, positions, ids and "
-      "input-ids ask for; rename the array of the input if that is meant");
+      "' is the name of an array that the picture itself has (depth, normals, positions, ids and "
+      "input-ids request these); to store an input's array of that name, rename it");
   }
 }
 
@@ -96,8 +95,7 @@ PassValue ParsePass(const std::string& text)
     if (kind != PictureKind::Tiff && kind != PictureKind::Vti)
     {
       throw BadValue("'" + pass.file +
-        "' does not end in .tif, .tiff or .vti, the kinds that "
-        "hold more than bytes");
+        "' does not end in .tif, .tiff or .vti, the kinds of files that can hold floats");
     }
   }
   return pass;

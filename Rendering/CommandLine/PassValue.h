@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief one pass as `--pass` describes it: data to store beside the picture
+ * @brief one pass of `--pass`: data to store in addition to the picture
  */
 
 #ifndef PassValue_h
@@ -26,22 +26,23 @@ struct PassValue
   };
   enum class Association
   {
-    Any, ///< of points or of cells, whichever the inputs have
+    Any, ///< points or cells, whichever the inputs have
     Points,
     Cells
   };
   Content content = Content::Depth;
-  Association association = Association::Any; ///< of an Array
+  Association association = Association::Any; ///< for Content::Array
   std::string array;                          ///< its name in the picture
   std::string text;                           ///< as it was typed, without the file
   std::string file; ///< a .tif or .vti; empty: the pass is only in the picture
 };
 
-/// Whether the picture itself has an array of that name, so that no input's can be stored under it.
+/// Whether the picture itself may have an array of that name, which an input's array cannot
+/// replace.
 bool IsOwnArray(const std::string& name);
 
-/// depth, normals, positions, ids, input-ids, or the name of an array, perhaps after point: or
-/// cell:, and then perhaps =FILE. Throws BadValue.
+/// Parses NAME or NAME=FILE. NAME is depth, normals, positions, ids, input-ids or the name of an
+/// array, optionally after point: or cell:. Throws BadValue.
 PassValue ParsePass(const std::string& text);
 
 } // namespace lambent::command

@@ -46,7 +46,7 @@ bool HasArray(const Meshes& meshes, Association association, const std::string& 
     { return AttributesOf(mesh, association)->GetArray(name.c_str()) != nullptr; });
 }
 
-/// "point:temperature, cell:region" or "none".
+/// Lists the arrays of the meshes: "point:temperature, cell:region" or "none".
 std::string ListArrays(const Meshes& meshes)
 {
   std::string list;
@@ -59,7 +59,7 @@ std::string ListArrays(const Meshes& meshes)
       for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
       {
         const char* const name = arrays->GetArray(k) ? arrays->GetArrayName(k) : nullptr;
-        if (name && !IsOwnArray(name)) // and not one of strings
+        if (name && !IsOwnArray(name)) // GetArray() is null for arrays of strings
         {
           names.insert(name);
         }
@@ -74,7 +74,8 @@ std::string ListArrays(const Meshes& meshes)
   return list.empty() ? "none" : list;
 }
 
-/// Whether an array is one of points or of cells.
+/// Finds out whether the array of a pass belongs to points or cells. Throws Failure if it is both
+/// or neither.
 Association FindArray(const PassValue& pass, const Meshes& meshes)
 {
   const bool isOfPoints =
@@ -84,19 +85,18 @@ Association FindArray(const PassValue& pass, const Meshes& meshes)
   if (isOfPoints && isOfCells)
   {
     throw Failure("--pass " + pass.text +
-      ": the inputs have a point array and a cell array of that "
-      "name; write point:" +
-      pass.array + " or cell:" + pass.array);
+      ": the inputs have a point array and a cell array of that name; write point:" + pass.array +
+      " or cell:" + pass.array);
   }
   if (!isOfPoints && !isOfCells)
   {
-    throw Failure(
-      "--pass " + pass.text + ": no input has such an array; there are: " + ListArrays(meshes));
+    throw Failure("--pass " + pass.text +
+      ": no input has such an array; the arrays are: " + ListArrays(meshes));
   }
   return isOfPoints ? Association::Points : Association::Cells;
 }
 
-/// Whether rounding would make another id or label of a value.
+/// Whether the values must not be rounded, because they are ids or labels.
 bool IsExact(const PassValue& pass, const Meshes& meshes)
 {
   if (pass.content != Content::Array)
@@ -133,8 +133,8 @@ vtkSmartPointer<vtkDataArray> AsFloats(vtkDataArray* array, bool isExact)
         text.precision(17);
         text << value;
         throw Failure("the value " + text.str() +
-          (isTooLarge ? " is beyond the range of its 32-bit floats"
-                      : " would be rounded to its 32-bit floats") +
+          (isTooLarge ? " is beyond the range of the 32-bit floats of a .tif"
+                      : " would be rounded to the 32-bit floats of a .tif") +
           "; choose a name that ends in .vti");
       }
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief renders the passes of `--pass` with the picture, and writes them to their files
+ * @brief requests the passes of `--pass` from the ray tracer, and writes them to their files
  */
 
 #ifndef Passes_h
@@ -24,22 +24,22 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// Asks the ray tracer for the passes. Throws Failure if no input has one of the arrays, or if it
-/// is both a point and a cell array; the message lists the arrays that there are.
+/// Requests the passes from the ray tracer. Throws Failure if no input has one of the arrays (the
+/// message lists those that exist), or if both a point array and a cell array have its name.
 void RequestPasses(const std::vector<PassValue>& passes,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, vtkLambentRayTracer* tracer);
 
 /**
- * Writes each pass that has a file. A .vti holds the array as it is. A .tif holds 32-bit floats:
- * doubles are rounded. Ids and other integers of cells must not be rounded, and nothing may become
- * infinite; otherwise Failure is thrown.
+ * Writes each pass that has a file. A .vti holds the array unchanged. A .tif holds 32-bit floats,
+ * to which doubles are rounded. Throws Failure if an id or another integer of a cell would be
+ * rounded, or if a finite value is beyond the range of floats.
  */
 void WritePasses(const std::vector<PassValue>& passes, vtkImageData* picture,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, VtkMessages& messages,
   Progress& progress);
 
-/// Removes the arrays that no pass asks for: ids that only a comparison needs, or one of the two
-/// arrays of ids.
+/// Removes the id arrays that no pass requests: the ray tracer generates both of them together,
+/// also for a comparison.
 void KeepOnlyPasses(const std::vector<PassValue>& passes, vtkImageData* picture);
 
 } // namespace lambent::command

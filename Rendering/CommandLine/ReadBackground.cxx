@@ -35,7 +35,7 @@ namespace lambent::command
 namespace
 {
 
-/// Lets an image pass through the pipe of a child process, which takes meshes.
+/// Packs an image into a mesh, because the pipe from the child process transfers meshes.
 vtkSmartPointer<vtkPolyData> AsMesh(vtkImageData* image)
 {
   vtkNew<vtkIntArray> size;
@@ -63,8 +63,8 @@ vtkSmartPointer<vtkImageData> AsImage(vtkPolyData* mesh)
   return image;
 }
 
-/// Undoes what vtkTIFFReader does: it puts the first row of a file at the bottom, whatever its
-/// orientation says, and inverts the alpha of bytes.
+/// Corrects two errors of vtkTIFFReader: it puts the first row of a file at the bottom, whatever
+/// the orientation, and inverts the alpha of bytes.
 void CorrectTiff(vtkImageData* image)
 {
   vtkDataArray* const pixels = image->GetPointData()->GetScalars();
@@ -82,7 +82,7 @@ void CorrectTiff(vtkImageData* image)
   }
 }
 
-/// Four channels of a JPEG are those of ink.
+/// Four channels of a JPEG are CMYK.
 void CheckJpeg(vtkImageData* image)
 {
   if (image->GetPointData()->GetScalars()->GetNumberOfComponents() > 3)
@@ -93,7 +93,7 @@ void CheckJpeg(vtkImageData* image)
 
 void Accept(vtkImageData*) {}
 
-/// Throws Failure unless there is a value for each pixel of one slice.
+/// Throws Failure unless the image has one slice and a value for each pixel.
 void CheckPixels(vtkImageData* image)
 {
   const int* const size = image->GetDimensions();
@@ -104,16 +104,16 @@ void CheckPixels(vtkImageData* image)
   }
   if (size[2] != 1)
   {
-    throw Failure("it has " + std::to_string(size[2]) + " slices; a background has one");
+    throw Failure("it has " + std::to_string(size[2]) + " slices; a background image has one");
   }
   if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(size[0]) * size[1])
   {
-    throw Failure("its scalars do not fit its size");
+    throw Failure("it does not have one value for each pixel; use a complete copy");
   }
   if (pixels->GetNumberOfComponents() > 4)
   {
     throw Failure("it has " + std::to_string(pixels->GetNumberOfComponents()) +
-      " numbers per pixel; a background has 1 to 4: grey, grey and alpha, RGB, or RGBA");
+      " numbers per pixel; a background image has 1 to 4: grey, grey and alpha, RGB, or RGBA");
   }
 }
 
@@ -126,14 +126,14 @@ vtkSmartPointer<vtkImageData> ReadIn(const std::string& path, void (*correct)(vt
     vtkNew<Reader> reader;
     if (!reader->CanReadFile(path.c_str()))
     {
-      throw Failure("it is not a file of the kind that its name says; check that it is complete");
+      throw Failure("its content does not match its extension; check that the file is complete");
     }
     reader->SetFileName(path.c_str());
     const auto image = vtkImageData::SafeDownCast(Run(reader, messages, progress));
     CheckPixels(image);
     correct(image);
     const std::vector<std::string> warnings = messages.TakeWarnings();
-    if (!warnings.empty()) // about files that are cut short; the readers go on
+    if (!warnings.empty()) // the readers only warn if a file is incomplete
     {
       throw Failure(warnings.front() + "; check that the file is complete");
     }
@@ -165,7 +165,7 @@ vtkSmartPointer<vtkImageData> ReadKind(
   return ReadPicture(path, messages);
 }
 
-/// Makes the pixels bytes or floats.
+/// Converts pixels that are not bytes to floats.
 void ConvertPixels(vtkImageData* image)
 {
   vtkDataArray* const pixels = image->GetPointData()->GetScalars();
@@ -177,7 +177,7 @@ void ConvertPixels(vtkImageData* image)
   if (type != VTK_UNSIGNED_SHORT && type != VTK_FLOAT && type != VTK_DOUBLE)
   {
     throw Failure(std::string("its pixels are of the type ") + pixels->GetDataTypeAsString() +
-      "; a background has unsigned char, unsigned short, float or double");
+      "; a background image has unsigned char, unsigned short, float or double");
   }
   const double white = type == VTK_UNSIGNED_SHORT ? 65535 : 1;
   vtkNew<vtkFloatArray> floats;
@@ -190,7 +190,8 @@ void ConvertPixels(vtkImageData* image)
       const double value = pixels->GetComponent(tuple, k) / white;
       if (!(std::fabs(value) <= std::numeric_limits<float>::max()))
       {
-        throw Failure("its pixel " + std::to_string(tuple) + " is not finite; correct it");
+        throw Failure(
+          "its pixel " + std::to_string(tuple) + " is not finite as a 32-bit float; correct it");
       }
       floats->SetTypedComponent(tuple, k, static_cast<float>(value));
     }

@@ -4,9 +4,9 @@
  * @file
  * @brief reads the image of `--background-image`
  *
- * PNG files are read by vtkLambentPNGReader, VTK's images after a check of their XML, PNM by
- * ReadPnm(). VTK's readers for JPEG, TIFF and BMP trust the file, so they run in a child process
- * (see Isolated.h), after a check of what they would read wrongly (see CheckImage.h).
+ * vtkLambentPNGReader reads PNG files, ReadPnm() reads PNM, and VTK reads its own images after a
+ * check of their XML. VTK's readers for JPEG, TIFF and BMP trust the file, so they run in a child
+ * process (see Isolated.h), and only on files that they read correctly (see CheckImage.h).
  */
 
 #ifndef ReadBackground_h
@@ -24,9 +24,9 @@ namespace lambent::command
 class Progress;
 class VtkMessages;
 
-/// An image of one slice of bytes, or of floats for what has more than 8 bits: unsigned shorts are
-/// divided by 65535, floats and doubles are taken as they are. Throws Failure if the file cannot be
-/// read completely, or its pixels are of another form.
+/// Returns an image with one slice. Its pixels are bytes, or floats if the file has more than 8
+/// bits: unsigned shorts are divided by 65535, and floats and doubles are not scaled. Throws
+/// Failure if the file cannot be read completely, or has pixels of another type.
 vtkSmartPointer<vtkImageData> ReadBackground(
   const std::string& path, VtkMessages& messages, Progress& progress);
 

@@ -78,7 +78,7 @@ Options ParseRecipe(const std::string& command)
   const Parsed parsed = ParseOptions(static_cast<int>(argv.size()), argv.data(), "");
   if (parsed.exitStatus || parsed.options.recipe.empty())
   {
-    throw Failure("its command cannot be understood: " + OneLine(command));
+    throw Failure("its command is invalid: " + OneLine(command));
   }
   return parsed.options;
 }
@@ -195,12 +195,13 @@ Options ReadRecipe(const Options& options)
                       *const command = reader->GetText(CommandKey);
     if (!contract || !command)
     {
-      throw Failure("it does not record how it was drawn; only PNG files of this command do");
+      throw Failure(
+        "it does not store the command that rendered it; only PNG files of this command do");
     }
     const std::string ours = std::to_string(vtkLambentRayTracer::GetImageContractVersion());
     if (contract != ours && !options.quiet)
     {
-      Say("warning: '" + path + "' was drawn under image contract " + OneLine(contract) +
+      Say("warning: '" + path + "' was rendered under image contract " + OneLine(contract) +
         ", but this version has " + ours + "; bits may differ");
     }
     Options drawing = ParseRecipe(command);

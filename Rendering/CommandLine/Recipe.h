@@ -41,7 +41,7 @@ int RecordedSupersampling(const std::string& path);
 /// The words of a command, split as a shell would.
 std::vector<std::string> SplitWords(const std::string& command);
 
-/// The options in the text of the picture `options.recreate`. The output, passes, threads and
+/// Reads the options in the text of the picture `options.recreate`. The output, passes, threads and
 /// verbosity are taken from `options`; without an output, the result is to be compared with that
 /// picture. Throws Failure.
 Options ReadRecipe(const Options& options);

@@ -20,8 +20,8 @@ class vtkPolyData;
 namespace lambent::command
 {
 
-/// A ray tracer with the meshes, and the camera, lights, property and image of the options; without
-/// the background image and the passes.
+/// Returns a ray tracer with the meshes, and the camera, lights, property and image settings of the
+/// options, but without the background image and the passes.
 vtkSmartPointer<vtkLambentRayTracer> MakeScene(
   const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
 

@@ -55,7 +55,7 @@ struct ContourValue
 {
   double value = 0;
   std::string array;        ///< empty: the volume's only or active array, see Contour.h
-  bool keepsArrays = false; ///< whether the surface gets the volume's other point arrays, too
+  bool keepsArrays = false; ///< whether the surface also gets the volume's other point arrays
 };
 
 /// The parts of a text between separators; an empty text has one empty part.

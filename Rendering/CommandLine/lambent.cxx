@@ -148,7 +148,7 @@ void CheckPlaces(const Options& options)
   if (!options.output.empty())
   {
     const std::string reason = options.alpha ? WhyNoAlpha(options.output) : "";
-    if (!reason.empty()) // of a picture that is rendered again
+    if (!reason.empty()) // CheckFilm() did not see the options of a recreated picture
     {
       throw Failure(reason);
     }

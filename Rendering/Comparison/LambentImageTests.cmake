@@ -44,7 +44,7 @@ function (_lambent_check_image_test)
     endif ()
   endforeach ()
   if (arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) does not know ${arg_UNPARSED_ARGUMENTS}.")
+    message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) has no argument ${arg_UNPARSED_ARGUMENTS}.")
   endif ()
   if (arg_INPUT AND (arg_PICTURE OR arg_COMMAND OR arg_WORKING_DIRECTORY))
     message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}): the command lambent renders INPUT. "
@@ -52,7 +52,7 @@ function (_lambent_check_image_test)
   endif ()
   if (NOT arg_INPUT AND (NOT arg_PICTURE OR arg_ARGS))
     message(FATAL_ERROR "lambent_add_image_test(${arg_NAME}) needs INPUT or PICTURE. ARGS "
-      "need INPUT.")
+      "require INPUT.")
   endif ()
   if (NOT TARGET Lambent::Command)
     message(FATAL_ERROR "lambent_add_image_test() needs the command lambent, but Lambent was built "

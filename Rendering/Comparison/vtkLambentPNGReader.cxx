@@ -37,7 +37,7 @@ std::string contentOf(const char* path)
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    throw std::runtime_error("it is not a regular file; save it to one");
+    throw std::runtime_error("it is not a regular file; copy it to one");
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path, "rb"), std::fclose);
   if (!file)

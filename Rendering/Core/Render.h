@@ -6,18 +6,18 @@
  *
  * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are grouped into tiles
  *    (TileGrid).
- * 2. One pass over the points computes where each falls between the rays (PointLattice).
- * 3. One pass over the triangles drops those between the rays (Binning). The certain hits of small
+ * 2. One pass over the points computes where each falls between the samples (PointLattice).
+ * 3. One pass over the triangles drops those between the samples (Binning). Certain hits of small
  *    triangles go into the bins of their tiles (Coverage); other triangles go there whole (Bins).
  * 4. Each tile casts its rays against its triangles (Casting), keeps the nearest hit of each ray
  *    (Nearest), computes its surface point (TrianglePoints) and colour (LightModel), and stores its
  *    pixels (Painting, Film). Only the current tile has depths.
  *
- * If the bins of step 3 fill the memory they are given, step 4 casts what they hold, the tiles keep
- * their hits, and step 3 continues.
+ * If the bins of step 3 exceed their memory, step 4 casts their contents, the tiles keep their
+ * hits, and step 3 continues.
  *
  * A picture with several samples per pixel that has more samples than Settings::mostSamples is
- * rendered in bands, one after the other.
+ * rendered in bands, one at a time.
  *
  * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 48 bytes per
  * larger triangle, in about Settings::binPages pages at most.
@@ -44,7 +44,7 @@ struct Settings
   /// A picture with several samples per pixel is rendered in bands of rows that have at most so
   /// many samples, but at least one row.
   std::size_t mostSamples = 32 * 1024 * 1024;
-  bool culling = true; ///< drop triangles between the rays
+  bool culling = true; ///< drop triangles between the samples
   /// Use vectors to locate, cast and shade.
   bool kernels = areVectorsInUse();
 

@@ -15,7 +15,7 @@
 /// The pictures to compare with Lambent's.
 struct Compared
 {
-  std::vector<int> embree; ///< Supersampling of each of Embree's pictures
+  std::vector<int> embree; ///< the supersampling of each of Embree's pictures
   bool openGL = false;
 };
 

@@ -69,7 +69,7 @@ bool anyHas(const std::vector<Contest>& contests, const std::string& part)
     [&](const Contest& contest) { return contest.name.find(part) != std::string::npos; });
 }
 
-/// The peers' pictures that these contests time.
+/// The peers' pictures that belong to these contests.
 Compared comparedBy(const std::vector<Contest>& contests)
 {
   Compared compared;

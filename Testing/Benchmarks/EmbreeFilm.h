@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief average the samples of a tile, and write its pixels
+ * @brief average the samples of a tile and write its pixels
  */
 #ifndef EmbreeFilm_h
 #define EmbreeFilm_h
@@ -15,9 +15,9 @@
 class EmbreeFilm
 {
 public:
-  static constexpr int side = 16; ///< of a tile, in samples
+  static constexpr int side = 16; ///< width and height of a tile, in samples
 
-  /// samples: of a pixel in each direction; 1, 2 or 4.
+  /// `samples` is the number per pixel in each direction: 1, 2 or 4.
   EmbreeFilm(int width, int height, int samples, unsigned char* bytes)
     : Width(width)
     , Height(height)
@@ -30,13 +30,13 @@ public:
     }
   }
 
-  /// The samples of the picture.
+  /// The number of samples in a row and in a column of the picture.
   int columns() const { return this->Samples * this->Width; }
   int rows() const { return this->Samples * this->Height; }
   int samples() const { return this->Samples; }
 
-  /// Write the tile whose lower left sample is (i, j), but for what lies outside the picture.
-  /// values: the grey values from 0 to 255 of its samples, in rows.
+  /// Write the part of a tile that lies in the picture. Its lower left sample is (i, j), and
+  /// `values` are the grey values of its samples, from 0 to 255, row by row.
   void write(const float* values, int i, int j) const
   {
     switch (this->Samples)

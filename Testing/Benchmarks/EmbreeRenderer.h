@@ -15,7 +15,7 @@
  *   flagged coherent. Embree's own thread pool, TBB's, distributes the tiles.
  * - Denormals are flushed to zero, as Embree's manual recommends.
  * - Shading uses floats, for as many hits at a time as the vectors hold, and is compiled
- *   for this machine with -ffast-math. Several samples a pixel are averaged tile by tile.
+ *   for this machine with -ffast-math. Several samples per pixel are averaged tile by tile.
  */
 #ifndef EmbreeRenderer_h
 #define EmbreeRenderer_h
@@ -61,7 +61,7 @@ public:
   void release(TreeQuality quality);
 
   /// The seconds from that tree to the bytes of a newly allocated image, with samples x samples
-  /// rays a pixel.
+  /// rays per pixel.
   double trace(TreeQuality quality, RayGrouping grouping, int samples = 1);
 
   vtkImageData* picture() { return this->Picture; }

@@ -78,7 +78,7 @@ public:
     }
   }
 
-  /// The tile whose lower left ray is (i, j).
+  /// Trace the tile whose lower left ray is (i, j).
   void render(RTCScene tree, RayGrouping grouping, int i, int j)
   {
     for (int block = 0; block < blocks; ++block)
@@ -116,7 +116,7 @@ private:
   alignas(64) int All[N];
   Packet Packets[blocks];
   RTCRayHit Singles[rays];
-  alignas(64) float Values[rays]; ///< in rows
+  alignas(64) float Values[rays]; ///< row by row
 };
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ public:
   explicit LambentRenderer(const BenchmarkScene& scene);
 
   /// The seconds from the mesh in memory to the bytes of a newly allocated image, with
-  /// samples x samples samples a pixel. The filter is modified before, so it must render.
+  /// samples x samples samples per pixel. The filter is modified before, so it must render.
   double render(int samples = 1);
 
   vtkImageData* picture() { return this->Filter->GetOutput(); }

@@ -22,7 +22,8 @@ public:
 
   /// Seconds of the filter with an input connection for each piece.
   double renderInputs();
-  /// Seconds of VTK's executive for as many connections, of a filter that does nothing.
+  /// The seconds that VTK's executive takes for the same connections and a filter that does
+  /// nothing.
   double passInputs();
   /// Seconds of the core with one surface, and with one for each piece.
   double renderOne() { return this->render(this->One); }
@@ -33,8 +34,8 @@ private:
   double render(const lambent::Scene& scene);
 
   int Width, Height;
-  vtkNew<vtkLambentRayTracer> Filter;      ///< with the pieces
-  vtkSmartPointer<vtkImageAlgorithm> Idle; ///< with the pieces
+  vtkNew<vtkLambentRayTracer> Filter;      ///< its inputs are the pieces
+  vtkSmartPointer<vtkImageAlgorithm> Idle; ///< its inputs are the pieces
   vtkSmartPointer<vtkPolyData> Mesh;
   std::vector<vtkIdType> Corners; ///< of a piece
   lambent::Scene One, Many;

@@ -10,13 +10,13 @@
  *     embree/build/QUALITY          low, medium, high
  *     embree/trace/QUALITY/RAYS     single, packets, stream, packet-stream
  *     supersampling-N/lambent, supersampling-N/embree/trace/QUALITY/RAYS
- *                                   the same with N x N samples a pixel, N = 2 or 4
+ *                                   the same with N x N samples per pixel, N = 2 or 4
  *     opengl/first                  the first frame, with its window; needs an X server
  *     opengl/new-mesh               another mesh in the same window
  *     opengl/next                   the same mesh again
  *     normals/FILTER                vtkLambentNormals and its peers
  *     surfaces/inputs               vtkLambentRayTracer with each piece of the mesh as an input
- *     surfaces/executive            VTK's executive alone, with as many inputs
+ *     surfaces/executive            only VTK's executive, with as many inputs
  *     surfaces/one, surfaces/many   the core with the mesh as one surface, each piece as one
  *
  * and all but those of OpenGL also on one thread, with the prefix "1-thread/".
@@ -40,7 +40,7 @@ struct Contest
   std::function<double()> run; ///< runs once and returns the timed seconds
 };
 
-/// The values of Supersampling with contests of their own.
+/// The values of Supersampling that have separate contests.
 constexpr int supersamplings[] = { 2, 4 };
 
 /// The name of a contest or a picture with that Supersampling: "supersampling-2/NAME", or NAME.

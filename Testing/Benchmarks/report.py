@@ -141,7 +141,7 @@ def normals_table(scenes, tally):
 def surfaces_table(scenes, tally):
     """The same mesh as many surfaces."""
     header = ["many surfaces", "one mesh ms", "as inputs ms", "ratio", "goal"]
-    header += ["VTK's executive alone ms", "ratio without it"]
+    header += ["VTK's executive ms", "ratio without it"]
     header += ["core, one surface ms", "core, many surfaces ms", "ratio", "goal"]
     rows = []
     for scene in scenes:
@@ -162,8 +162,8 @@ def surfaces_table(scenes, tally):
 
 
 def supersampling_table(scenes, tally):
-    """Several samples a pixel, beside one sample and beside Embree."""
-    header = ["several samples a pixel", "Lambent ms", "times one sample", "goal"]
+    """Several samples per pixel, compared with one sample and with Embree."""
+    header = ["several samples per pixel", "Lambent ms", "times one sample", "goal"]
     header += ["Embree medium build + trace", "ratio", "goal", "Embree fastest total", "ratio"]
     header += ["goal", "best trace alone", "ratio", "with one sample"]
     rows = []

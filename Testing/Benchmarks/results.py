@@ -9,7 +9,7 @@ import statistics
 from dataclasses import dataclass, field
 
 QUALITIES = ("low", "medium", "high")
-SUPERSAMPLING = "supersampling-"  # starts the names of contests with several samples a pixel
+SUPERSAMPLING = "supersampling-"  # prefix of the names of contests with several samples per pixel
 
 
 def spread(times):
@@ -75,7 +75,7 @@ class Scene:
 
     def total(self, quality, prefix=""):
         """The time of Embree's build plus its best trace; None if not run."""
-        one_tree = prefix.startswith(SUPERSAMPLING)  # whatever the number of rays
+        one_tree = prefix.startswith(SUPERSAMPLING)  # for any number of rays
         build = self.build(quality, "" if one_tree else prefix)
         _, trace = self.best_trace(quality, prefix)
         return None if build is None or trace is None else build + trace

@@ -41,7 +41,7 @@ SURFACE_SCENES = ["spheres", "facets"]  # scenes with many surfaces
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
 EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"
-SUPERSAMPLING = ["dragon", "bunny"]  # scenes with several samples a pixel, too
+SUPERSAMPLING = ["dragon", "bunny"]  # scenes that also run with several samples per pixel
 NORMALS = "normals/.*"
 
 
@@ -134,10 +134,10 @@ def keep(results):
 
 def parse():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--quick", action="store_true", help="the goals alone, in a minute")
+    parser.add_argument("--quick", action="store_true", help="only the goals, in a minute")
     parser.add_argument("--scenes", help="only these, separated by commas")
     parser.add_argument("--no-scaling", action="store_true", help="without the scaling curves")
-    parser.add_argument("--only-scaling", action="store_true", help="the scaling curves alone")
+    parser.add_argument("--only-scaling", action="store_true", help="only the scaling curves")
     parser.add_argument("--keep", action="store_true", help="copy report and curves to the sources")
     parser.add_argument("--build", type=pathlib.Path, required=True, help="set by run.sh")
     parser.add_argument("--data", type=pathlib.Path, required=True, help="set by run.sh")

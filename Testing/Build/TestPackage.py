@@ -66,9 +66,9 @@ class PackageTest(unittest.TestCase):
 
 class TestFinding(PackageTest):
 
-    def test_a_component_that_is_none(self):
+    def test_unknown_components_are_refused(self):
         self.fail_with(HEAD + "project(P CXX)\nfind_package(Lambent REQUIRED COMPONENTS NoSuch)\n",
-                       "there is no NoSuch")
+                       "NoSuch was requested")
         said = self.succeed(HEAD + """project(P CXX)
             find_package(Lambent COMPONENTS NoSuch)
             message("found '${Lambent_FOUND}' '${Lambent_NoSuch_FOUND}'")
@@ -85,7 +85,7 @@ class TestFinding(PackageTest):
         self.assertIn("found '0' 'FALSE'", said.replace("'FALSE' 'FALSE'", "'0' 'FALSE'"))
         self.assertIn("found '1' 'FALSE'", said)
 
-    def test_a_project_without_languages(self):
+    def test_projects_without_a_language_are_refused(self):
         self.fail_with(HEAD + "project(P NONE)\nfind_package(Lambent REQUIRED)\n",
                        "project(<name> CXX)")
         said = self.succeed(HEAD + "project(P NONE)\nfind_package(Lambent)\n")
@@ -95,7 +95,7 @@ class TestFinding(PackageTest):
 
 class TestImageTests(PackageTest):
 
-    def test_names_that_differ_in_a_sign_have_files_of_their_own(self):
+    def test_similar_names_have_separate_files(self):
         names = ["Box-1", "Box_1", "Box 1", "Box.1", "box_1", "Box-1-", "BOX_1"]
         self.succeed(PROJECT + "".join(
             'lambent_add_image_test(NAME "%s" INPUT square.obj BASELINE "%s.png" ARGS --size 8x8'
@@ -107,7 +107,7 @@ class TestImageTests(PackageTest):
         self.assertIn("Box_1.png", pictures)
         self.run_tests(0, "--parallel", "7")
 
-    def test_a_relative_working_directory_is_in_the_binary_folder(self):
+    def test_a_relative_working_directory_is_in_the_build_folder(self):
         self.succeed(PROJECT + """
             lambent_add_image_test(NAME Drawn BASELINE drawn.png
               COMMAND Lambent::Command "${CMAKE_CURRENT_SOURCE_DIR}/square.obj" -o x.png --size 8x8
@@ -118,7 +118,7 @@ class TestImageTests(PackageTest):
         self.run_tests(0, LAMBENT_UPDATE_BASELINES="1")
         self.run_tests(0)
 
-    def test_a_light_survives_a_list(self):
+    def test_lights_can_be_elements_of_a_list(self):
         self.succeed(PROJECT + """
             set(view --size 8x8 --light direction=0,0,-1:color=0,1,0)
             list(APPEND view --ambient 0)
@@ -129,7 +129,7 @@ class TestImageTests(PackageTest):
         self.run_tests(0, "-R", "Colon", LAMBENT_UPDATE_BASELINES="1")
         self.run_tests(0)
 
-    def test_the_picture_is_not_the_baseline(self):
+    def test_a_picture_that_is_its_baseline_is_refused(self):
         os.symlink(SOURCE, os.path.join(FOLDER, "link"))
         for picture, baseline in (("${CMAKE_CURRENT_SOURCE_DIR}/x.png", "x.png"),
                                   ("x.png", "${CMAKE_CURRENT_BINARY_DIR}/./x.png"),
@@ -137,7 +137,7 @@ class TestImageTests(PackageTest):
             self.fail_with(PROJECT + 'lambent_add_image_test(NAME Self PICTURE "%s" BASELINE "%s")\n'
                            % (picture, baseline), "PICTURE and BASELINE are the same file")
 
-    def test_a_baseline_that_is_what_is_drawn_fails(self):
+    def test_a_picture_that_becomes_its_baseline_fails(self):
         """Detected when the test runs: a link created later, and the picture of INPUT."""
         self.succeed(PROJECT + """
             lambent_add_image_test(NAME Link PICTURE x.png BASELINE y.png)

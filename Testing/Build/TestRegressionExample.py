@@ -68,7 +68,7 @@ class RegressionExample(unittest.TestCase):
         if os.path.exists(REPORT):
             os.remove(REPORT)
 
-    def test_passes_as_it_is(self):
+    def test_the_example_passes(self):
         build("-DSTELLATE_WITH_A_BUG=OFF")
         passed, failed = test()
         self.assertEqual(failed, {})
@@ -76,7 +76,7 @@ class RegressionExample(unittest.TestCase):
         self.assertEqual({name: state for name, (state, _) in sections().items()},
                          {name: "passed" for name in PICTURES})
 
-    def test_a_bug_fails_the_right_test(self):
+    def test_a_bug_makes_the_right_test_fail(self):
         build("-DSTELLATE_WITH_A_BUG=ON")
         passed, failed = test()
         self.assertEqual(set(failed), {"Hollows"})
@@ -91,7 +91,7 @@ class RegressionExample(unittest.TestCase):
         self.assertRegex(body, r"<tr><td>.*Hollows\.vtp</td><td>\d+</td><td>\d+</td>")
         self.assertEqual(sections()["Spikes"][0], "passed")
 
-    def test_a_missing_baseline_is_asked_for_and_made(self):
+    def test_missing_baselines_are_reported_and_can_be_created(self):
         build("-DSTELLATE_WITH_A_BUG=OFF")
         lost = {name: os.path.join(COPY, "Baselines", name + ".png") for name in ("Cube", "Twice")}
         for path in lost.values():

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures with an alpha channel: the same pixels in each kind of file that can hold it, and edges
-that keep their colour."""
+"""Pictures with an alpha channel: each kind of file holds the same pixels, and edges keep their
+colour."""
 
 import os
 import struct
@@ -25,7 +25,7 @@ class TestAlpha(CommandTest):
     def draw(self, name, *arguments):
         return self.succeed("mesh.obj", "-o", name, *SIZE, "--alpha", *arguments)
 
-    def test_every_kind_has_the_same_pixels(self):
+    def test_every_format_has_the_same_pixels(self):
         self.draw("x.png")
         rows = read_png(self.read("x.png"))
         self.assertEqual((len(rows), len(rows[0]), len(rows[0][0])), (30, 40, 4))
@@ -41,8 +41,8 @@ class TestAlpha(CommandTest):
         self.assertEqual(self.draw("-"), self.read("x.png"))
 
     def test_edges_keep_their_colour(self):
-        """Laid over black, the picture is the one without alpha, but for rounding; and no pixel is
-        darker than the surfaces."""
+        """Composited over black, the picture equals the one without alpha, up to rounding, and no
+        pixel is darker than the surfaces."""
         self.draw("x.png", "--shading", "unlit", "--color", "0.8,0.6,0.4")
         self.succeed("mesh.obj", "-o", "y.png", *SIZE, "--shading", "unlit", "--color", "0.8,0.6,0.4")
         for row, on_black in zip(read_png(self.read("x.png")), read_png(self.read("y.png"))):
@@ -51,24 +51,24 @@ class TestAlpha(CommandTest):
                 for value, seen in zip(pixel[:3], other):
                     self.assertLess(abs(value * pixel[3] / 255 - seen), 1)
 
-    def test_one_sample_is_hit_or_not(self):
+    def test_alpha_of_one_sample_is_0_or_255(self):
         self.draw("x.png", "--supersampling", "1")
         self.assertEqual({pixel[3] for row in read_png(self.read("x.png")) for pixel in row}, {0, 255})
 
-    def test_kinds_without_alpha(self):
+    def test_formats_without_alpha_are_refused(self):
         for name in ("x.jpg", "x.jpeg", "x.bmp", "x.pnm", "x.ppm"):
             line = self.fail_with(2, "mesh.obj", "-o", name, "--alpha")
             self.assertIn("--alpha: '%s' cannot hold alpha; choose a name that ends in .png, .tif or "
                           ".vti" % name, line)
 
-    def test_there_is_no_background(self):
+    def test_backgrounds_are_refused(self):
         self.write("b.png", self.draw("-"))
         for option, value in (("--background", "red"), ("--background-image", "b.png")):
             line = self.fail_with(2, "mesh.obj", "-o", "x.png", "--alpha", option, value)
             self.assertIn("--alpha", line)
             self.assertIn(option + " ", line)
 
-    def test_recreating(self):
+    def test_recreated_pictures_have_alpha(self):
         self.draw("x.png", "--color", "tomato")
         drawn = self.read("x.png")
         self.assertIn(b"lambent mesh.obj --alpha --direction 2,1.5,4 --color tomato --size", drawn)
@@ -84,7 +84,7 @@ class TestAlpha(CommandTest):
         self.assertEqual((done.returncode, done.stderr), (status, b""), done.stdout)
         return done.stdout.decode()
 
-    def test_comparing(self):
+    def test_pictures_with_alpha_can_be_compared(self):
         self.draw("base.png")
         self.assertIn("all of 1200 pixels are the same", self.compare(0, "--alpha"))
         self.assertIn("3 components of unsigned char, but the baseline is 40 x 30, 4 components",
@@ -96,8 +96,8 @@ class TestAlpha(CommandTest):
         self.compare(0, "--alpha", "--zoom", "1.1")
         self.assertIn(b"--alpha", self.read("base.png"))
 
-    def test_only_a_difference_in_alpha(self):
-        """A surface of no colour: only alpha says where it is."""
+    def test_differences_in_alpha_are_found(self):
+        """The surface is black, so only alpha differs."""
         def draw(name, size):
             points = [(x * size, y * size, z) for x, y, z in SQUARE[0]]
             self.write("mesh.obj", obj((points, SQUARE[1])))
@@ -110,7 +110,7 @@ class TestAlpha(CommandTest):
             done = self.run_command("compare", name, "base.png", env=self.environment)
             self.assertEqual(done.returncode, status, done.stdout)
 
-    def test_nothing_seen(self):
+    def test_a_warning_explains_invisible_or_black_surfaces(self):
         for arguments, reason in (
                 (("--camera-position", "0,0,9", "--focal-point", "0,0,20"),
                  "the picture shows nothing: "),
@@ -123,8 +123,8 @@ class TestAlpha(CommandTest):
                 self.assertIn("lambent: warning: " + reason, line)
                 self.draw("x.png", *arguments, "--quiet")
 
-    def test_resolution_and_orientation_of_a_tiff(self):
-        """A picture that is not the same upside down, of more than one strip."""
+    def test_tiff_files_have_the_right_size_and_orientation(self):
+        """The picture has several strips and is not symmetric to a horizontal axis."""
         self.write("mesh.obj", obj(([(0, 0, 0), (2, 0, 0), (0, 1, 0)], [(0, 1, 2)])))
         view = ("--direction", "0,0,1", "--size", "200x151")
         self.succeed("mesh.obj", "-o", "x.tif", "--alpha", *view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The image behind the surfaces: each kind of file is read exactly or refused in one line."""
+"""The background image: each kind of file is read exactly, or refused with a one-line error."""
 
 import os
 import struct
@@ -16,7 +16,7 @@ IMAGE = [[(10 * (4 * j + i), 250 - 10 * i, 200 - 50 * j) for i in range(4)] for 
 GREY = [[(pixel[0],) for pixel in row] for row in IMAGE]
 FLAT = b"".join(bytes(pixel) for row in IMAGE for pixel in row)
 
-# Away from the square, so that the background is all there is.
+# A view without the square, so that only the background is visible.
 AWAY = ("--camera-position", "0,0,5", "--focal-point", "100,0,5", "--supersampling", "1", "--quiet")
 
 
@@ -32,7 +32,7 @@ def png_of(rows, color_type, depth=8):
 
 
 def tiff(rows, more=(), kind="B", order="<"):
-    """A TIFF of one strip; `more` are tags to add or replace."""
+    """A TIFF with one strip; `more` are tags to add or replace."""
     channels = len(rows[0][0])
     flat = [value for row in rows for pixel in row for value in pixel]
     data = struct.pack(order + "%d%s" % (len(flat), kind), *flat)
@@ -110,7 +110,7 @@ class TestKinds(BackgroundTest):
                 ("floats.vti", vti("Float32", floats)), ("doubles.vti", vti("Float64", floats))):
             self.assertEqual(self.background(name, content), IMAGE, name)
 
-    def test_grey(self):
+    def test_grey_images_are_read(self):
         wanted = [[pixel * 3 for pixel in row] for row in GREY]
         wide = [[(257 * pixel[0],) for pixel in row] for row in GREY]
         floats = [[(pixel[0] / 255,) for pixel in row] for row in GREY]
@@ -125,7 +125,7 @@ class TestKinds(BackgroundTest):
         self.assertEqual(less, [[(min(int(255 * p[0] / 200 + 0.5), 255),) * 3 for p in row]
                                 for row in GREY])
 
-    def test_alpha_shows_the_background(self):
+    def test_the_background_colour_shows_through_alpha(self):
         alphas = (255, 0, 51, 204)
         rgba = [[pixel + (alphas[i],) for i, pixel in enumerate(row)] for row in IMAGE]
         for name, content in (("a.png", png_of(rgba, 6)), ("a.tif", tiff(rgba, {338: 2})),
@@ -136,8 +136,8 @@ class TestKinds(BackgroundTest):
                     for value, front, behind in zip(pixel, (r, g, b), (32, 64, 96)):
                         self.assertLess(abs(value - (front * a + behind * (255 - a)) / 255), 0.51)
 
-    def test_jpeg(self):
-        """Of this command, so that there is one; JPEG is never exact."""
+    def test_jpeg_files_are_read_approximately(self):
+        """The command writes the JPEG itself. JPEG is never exact."""
         self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48", "--background", "0.2,0.4,0.6",
                      "--camera-position", "0,0,9", "--quiet")
         self.succeed("square.obj", "-o", "b.pnm", "--size", "64x48", "--background", "0.2,0.4,0.6",
@@ -147,7 +147,7 @@ class TestKinds(BackgroundTest):
             for value, wanted in zip(one[row][column], other[row][column]):
                 self.assertLessEqual(abs(value - wanted), 2)
 
-    def test_files_of_the_command_itself(self):
+    def test_files_written_by_the_command_are_read(self):
         for name in ("b.png", "b.tif", "b.bmp", "b.pnm", "b.vti"):
             self.succeed("square.obj", "-o", name, "--size", "16x9", "--background", "teal")
             self.succeed("square.obj", "-o", "same.pnm", "--size", "16x9", "--background", "teal")
@@ -156,7 +156,7 @@ class TestKinds(BackgroundTest):
         self.succeed("square.obj", "-o", "b.png", "--size", "16x9", "--alpha", "--color", "red")
         self.assertEqual(self.background("b.tif", size="16x9"), self.background("b.png", size="16x9"))
 
-    def test_it_is_stretched(self):
+    def test_the_image_is_stretched(self):
         rows = self.background("b.png", png([[(0, 0, 0), (255, 255, 255)]]), size="8x2")
         self.assertEqual(rows[0], rows[1])
         self.assertEqual([pixel[0] for pixel in rows[0]], [0, 0, 32, 96, 159, 223, 255, 255])
@@ -171,7 +171,7 @@ class TestKinds(BackgroundTest):
 
 class TestRefusing(BackgroundTest):
 
-    def test_missing_and_empty(self):
+    def test_missing_and_empty_files_are_errors(self):
         for name in ("b.png", "b.jpg", "b.tif", "b.bmp", "b.pnm", "b.vti"):
             self.assertIn("no such file", self.refuse(name))
             self.assertIn("it is empty", self.refuse(name, b""))
@@ -179,15 +179,15 @@ class TestRefusing(BackgroundTest):
             os.mkdir(self.path("folder" + name))
             self.refuse("folder" + name)
 
-    def test_cut_short(self):
+    def test_truncated_files_are_errors(self):
         self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48")
         for name, content in (("c.png", png(IMAGE)), ("c.tif", tiff(IMAGE)), ("c.bmp", bmp(IMAGE)),
                               ("c.pnm", b"P6 4 3 255 " + FLAT), ("c.jpg", self.read("b.jpg"))):
             for length in (len(content) - 1, len(content) * 3 // 4, len(content) // 3, 9, 2):
-                if name != "c.tif" or length < len(content) - 30:  # whose end are numbers not needed
+                if name != "c.tif" or length < len(content) - 30:  # its last tag values are not needed
                     self.refuse(name, content[:length])
 
-    def test_kinds_that_vtk_would_read_wrongly(self):
+    def test_files_that_vtk_would_read_wrongly_are_refused(self):
         rgba = [[pixel + (9,) for pixel in row] for row in IMAGE]
         for name, content, words in (
                 ("wide.tif", tiff(IMAGE, kind="H"), "colours with 16 bits"),
@@ -195,35 +195,35 @@ class TestRefusing(BackgroundTest):
                 ("ga.tif", tiff([[(1, 2)]]), "of this colour model"),
                 ("cmyk.tif", tiff(rgba, {262: 5}), "of this colour model"),
                 ("bits.tif", tiff(GREY, {258: 1}), "grey of 1 bits"),
-                ("multiplied.tif", tiff(rgba, {338: 1}), "alpha is multiplied into its colours"),
+                ("premultiplied.tif", tiff(rgba, {338: 1}), "with premultiplied alpha"),
                 ("fax.tif", tiff(GREY, {259: 4}), "with this compression"),
                 ("planes.tif", tiff(IMAGE, {284: 2}), "with separate planes"),
                 ("tiles.tif", tiff(IMAGE, {322: 16}), "in tiles"),
-                ("turned.tif", tiff(IMAGE, {274: 6}), "turned or mirrored"),
-                ("large.tif", b"II+\0" + bytes(20), "not a TIFF file of the usual kind"),
+                ("rotated.tif", tiff(IMAGE, {274: 6}), "an orientation that rotates or mirrors"),
+                ("large.tif", b"II+\0" + bytes(20), "not a classic TIFF file"),
                 ("deep.bmp", bmp(IMAGE, bits=32), "BMP of 32 bits per pixel"),
                 ("packed.bmp", bmp(IMAGE, bits=8, compression=1), "BMP with compression"),
                 ("text.pnm", b"P3 1 1 255 1 2 3\n", "not a binary PNM"),
                 ("none.pnm", b"P6 0 3 255 ", "no valid size"),
-                ("many.pnm", b"P6 999999999 999999999 65535 " + FLAT, "cut short"),
+                ("many.pnm", b"P6 999999999 999999999 65535 " + FLAT, "incomplete"),
                 ("far.pnm", b"P5 1 1 65536 \1\1", "largest value"),
                 ("half.pnm", b"P5 4", "no valid size")):
             self.assertIn(words, self.refuse(name, content), name)
 
-    def test_images_of_another_form(self):
+    def test_unsupported_sizes_and_types_are_refused(self):
         many = [[(1, 2, 3, 4, 5)]]
         for name, content, words in (
-                ("slices.vti", vti("UInt8", IMAGE, 2), "2 slices; a background has one"),
+                ("slices.vti", vti("UInt8", IMAGE, 2), "2 slices; a background image has one"),
                 ("ints.vti", vti("Int32", IMAGE), "of the type int"),
                 ("many.vti", vti("UInt8", many), "5 numbers per pixel"),
                 ("huge.vti", vti("Float64", [[(1,), (1e300,)]]), "pixel 1 is not finite")):
             self.assertIn(words, self.refuse(name, content), name)
 
-    def test_usage(self):
+    def test_unknown_extensions_are_refused(self):
         line = self.fail_with(2, "square.obj", "-o", "x.png", "--background-image", "b.gif")
         self.assertIn("'b.gif' does not end in one of .png .jpg", line)
 
-    def test_it_is_not_overwritten(self):
+    def test_the_background_image_is_not_overwritten(self):
         self.write("b.png", png(IMAGE))
         os.symlink("b.png", self.path("link.png"))
         os.link(self.path("b.png"), self.path("hard.tif"))
@@ -241,7 +241,7 @@ class TestTogether(BackgroundTest):
         super().setUp()
         self.write("it's b.png", png(IMAGE))
 
-    def test_recreating(self):
+    def test_recreating_reads_the_image_again(self):
         draw = ("square.obj", "--background-image", "it's b.png", "--size", "20x20")
         self.succeed(*draw, "-o", "x.png")
         drawn = self.read("x.png")
@@ -255,14 +255,14 @@ class TestTogether(BackgroundTest):
         self.assertIn("cannot read 'it's b.png': there is no such file",
                       self.fail_with(1, "--recreate", "x.png", "-o", "z.png"))
 
-    def test_a_baseline_holds_no_absolute_path(self):
+    def test_baselines_do_not_store_absolute_paths(self):
         for path, is_recorded in (("it's b.png", True), (self.path("it's b.png"), False)):
             self.run_command("square.obj", "--background-image", path, "--compare", "base.png",
                              "--size", "9x9", env={**os.environ, "LAMBENT_UPDATE_BASELINES": "1"})
             self.assertEqual(b"--background-image" in self.read("base.png"), is_recorded)
             os.remove(self.path("base.png"))
 
-    def test_nothing_seen(self):
+    def test_a_warning_explains_invisible_or_black_surfaces(self):
         away = ("--camera-position", "0,0,5", "--focal-point", "100,0,5")
         for arguments, reason in (
                 (away, "the picture shows only the background image: no face lies in the view"),

@@ -71,17 +71,17 @@ class CompareTest(CommandTest):
 
 class TestPictures(CompareTest):
 
-    def test_same(self):
+    def test_equal_pictures_pass(self):
         self.assertEqual(self.compare(0, "compare", "same.png", "base.png"),
                          ["all of 35 pixels are the same"])
         self.assertEqual(self.compare(0, "compare", "same.png", "base.png", "--quiet"), [])
 
-    def test_different(self):
+    def test_different_pictures_fail(self):
         line = "2 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)"
         self.assertEqual(self.compare(1, "compare", "other.png", "base.png"), [line])
         self.assertEqual(self.compare(1, "compare", "base.png", "other.png"), [line])
 
-    def test_tolerance(self):
+    def test_the_tolerance_applies_to_the_metric(self):
         for tolerance, status in (("10", 0), ("9.9", 1), ("255", 0)):
             lines = self.compare(status, "compare", "other.png", "base.png", "--tolerance", tolerance)
             self.assertIn("the tolerance of " + tolerance, lines[0])
@@ -89,7 +89,7 @@ class TestPictures(CompareTest):
         self.compare(0, *rmse, "1.092")  # the root of (9 + 16 + 100) / 105 is 1.0911
         self.compare(1, *rmse, "1.091")
 
-    def test_another_size(self):
+    def test_pictures_of_different_sizes_fail(self):
         self.write("base.png", grey(5, 7))
         lines = self.compare(1, "compare", "same.png", "base.png", "--tolerance", "255",
                              "--difference", "d.png", "--report", "r.html")
@@ -98,7 +98,7 @@ class TestPictures(CompareTest):
         self.assertNotIn("d.png", self.files())
         self.assertEqual(self.read("r.html").count(b"<img "), 2)
 
-    def test_structural_similarity_or_a_clear_error(self):
+    def test_structural_similarity_works_or_is_a_clear_error(self):
         done = self.run_command("compare", "other.png", "base.png", "--metric", "ssim",
                                 "--tolerance", "0.5", env=self.environment)
         if done.returncode == 0:
@@ -107,13 +107,13 @@ class TestPictures(CompareTest):
             self.assertEqual(done.returncode, 1)
             self.assertIn(b"needs vtkImageSSIM", done.stderr)
 
-    def test_missing_baseline(self):
+    def test_a_missing_baseline_fails(self):
         lines = self.compare(1, "compare", "same.png", "new.png")
         self.assertIn("there is no baseline 'new.png'", lines[0])
         self.assertIn("look at 'same.png'", lines[1])
         self.assertIn("LAMBENT_UPDATE_BASELINES=1", lines[1])
 
-    def test_updating(self):
+    def test_the_environment_variable_accepts_baselines(self):
         environment = {"LAMBENT_UPDATE_BASELINES": "1"}
         for baseline in ("base.png", "new.png", "a/new/folder/new.png"):
             lines = self.compare(0, "compare", "other.png", baseline, **environment)
@@ -125,14 +125,14 @@ class TestPictures(CompareTest):
         self.compare(0, "compare", "other.png", "new.vti", **environment)  # another kind of file
         self.compare(0, "compare", "other.png", "new.vti")
 
-    def test_difference(self):
+    def test_the_difference_is_written(self):
         self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png")
         self.compare(0, "compare", "d.png", "expected.png", LAMBENT_UPDATE_BASELINES="1")
         self.write("expected.png", png([[{(5, 1): (115, 0, 135), (2, 3): (0, 255, 0)}.get(
             (x, y), (0, 0, 0)) for x in range(7)] for y in (4, 3, 2, 1, 0)]))
         self.compare(0, "compare", "d.png", "expected.png")
 
-    def test_broken_files(self):
+    def test_broken_files_are_errors(self):
         whole = grey(7, 5)
         damaged = whole[:45] + bytes([whole[45] ^ 1]) + whole[46:]  # within the pixels
         for content, words in ((whole[:-1], "complete PNG"), (whole[:50], "complete PNG"),
@@ -150,7 +150,7 @@ class TestPictures(CompareTest):
         self.assertIn("folder", self.fail_with(1, "compare", "folder.png", "base.png"))
         self.assertIn("no such file", self.fail_with(1, "compare", "none.png", "base.png"))
 
-    def test_pixels_that_cannot_be_decoded(self):
+    def test_undecodable_pixels_are_errors(self):
         """In complete chunks. vtkPNGReader crashes on some of these."""
         rows = zlib.compress(5 * (b"\0" + 21 * b"d"))
         for compressed in (b"these are no pixels", rows[:-8], zlib.compress(b"\0" + 21 * b"d"),
@@ -166,7 +166,7 @@ class TestPictures(CompareTest):
         self.write("other.png", png_file(7, 5, rows))
         self.compare(0, "compare", "other.png", "base.png")
 
-    def test_wrong_usage(self):
+    def test_wrong_usage_is_refused(self):
         for arguments in ((), ("same.png",), ("same.png", "base.png", "third.png"),
                           ("same.jpg", "base.png"), ("same.png", "base.gif"),
                           ("same.png", "base.png", "--tolerance", "-1"),
@@ -181,7 +181,7 @@ class TestPictures(CompareTest):
                              ["Try 'lambent compare --help'."])
         self.assertIn("--tolerance", self.succeed("compare", "--help").decode())
 
-    def test_measurements_for_cdash(self):
+    def test_measurements_for_cdash_are_printed(self):
         lines = self.compare(1, "compare", "other.png", "base.png", "--difference", "d.png",
                              CTEST_INTERACTIVE_DEBUG_MODE="1")
         tags = [re.fullmatch(r'<DartMeasurementFile name="(\w+)" type="image/png">(.*)'
@@ -200,7 +200,7 @@ class TestReport(CompareTest):
         return re.findall(r'<section class="(\w+)">\n<h2>(.*?)</h2>\n<div>(.*?)</div>',
                           self.read("r.html").decode())
 
-    def test_failures_have_pictures(self):
+    def test_failures_show_their_pictures(self):
         self.compare(1, "compare", "other.png", "base.png", "--report", "r.html")
         page = self.read("r.html").decode()
         self.assertEqual(page.count("src=\"data:image/png;base64,"), 3)
@@ -209,7 +209,7 @@ class TestReport(CompareTest):
             ("failed", "other.png",
              "2 of 35 pixels differ, by at most 10 of 255; the first is (5, 1)")])
 
-    def test_pictures_of_other_types_are_shown_in_bytes(self):
+    def test_pictures_of_other_types_are_shown_as_bytes(self):
         grey16 = (0, 128, 129, 257, 25700, 65535)
         of_floats = (-1, 0, 0.5, 1, 2)
         cases = (("x.png", png([[(v, v, v) for v in grey16]], 16), png([6 * [(9, 9, 9)]], 16),
@@ -227,7 +227,7 @@ class TestReport(CompareTest):
             self.assertEqual(self.compare(0, "compare", "shown.png", "expected.png"),
                              ["all of %d pixels are the same" % len(shown)])
 
-    def test_names_are_text(self):
+    def test_names_are_escaped(self):
         self.compare(0, "compare", "same.png", "base.png", "--report", "r.html", "--name",
                      '<b> & "c"')
         self.assertEqual(self.sections()[0][1], "&lt;b&gt; &amp; &quot;c&quot;")
@@ -247,7 +247,7 @@ class TestReport(CompareTest):
         self.assertEqual([process.wait() for process in processes], count * [1])
         self.assertEqual(sorted(int(name) for _, name, _ in self.sections()), list(range(count)))
 
-    def test_other_files_are_left_alone(self):
+    def test_files_that_are_not_reports_are_not_overwritten(self):
         self.write("r.html", "<html>my own page</html>")
         line = self.fail_with(1, "compare", "same.png", "base.png", "--report", "r.html")
         self.assertIn("r.html", line)
@@ -267,7 +267,7 @@ class TestDrawing(CompareTest):
         self.write("square.obj", obj(SQUARE))
         self.write("tetrahedron.obj", obj(TETRAHEDRON))
 
-    def test_size_is_that_of_the_baseline(self):
+    def test_the_default_size_is_that_of_the_baseline(self):
         self.compare(0, *self.SQUARE_VIEW, "--compare", "b.png", "--size", "13x9",
                      LAMBENT_UPDATE_BASELINES="1")
         self.assertEqual(self.compare(0, *self.SQUARE_VIEW, "--compare", "b.png"),
@@ -275,7 +275,7 @@ class TestDrawing(CompareTest):
         self.assertIn("10 x 10", self.compare(1, *self.SQUARE_VIEW, "--compare", "b.png",
                                               "--size", "10x10")[0])
 
-    def test_cells_of_changed_pixels(self):
+    def test_cells_of_changed_pixels_are_listed(self):
         # Of the 8 x 8 pixels, the lower right half shows cell 0.
         self.succeed(*self.SQUARE_VIEW, "-o", "b.png", "--size", "8x8")
         self.assertEqual(
@@ -302,21 +302,21 @@ class TestDrawing(CompareTest):
             lines[1], "the changed pixels show cells 0-1 of 'square.obj' and cells 1-3 of "
             "'tetrahedron.obj'")
 
-    def test_a_baseline_tells_how_it_was_drawn_but_not_where(self):
+    def test_baselines_store_commands_without_absolute_paths(self):
         for mesh, says in (("square.obj", True), (self.path("square.obj"), False)):
             self.compare(0, mesh, "--compare", "new.png", "--size", "9x9",
                          LAMBENT_UPDATE_BASELINES="1")
             self.assertEqual(b"Lambent command" in self.read("new.png"), says)
             os.remove(self.path("new.png"))
 
-    def test_background_is_named(self):
+    def test_changed_background_pixels_are_reported(self):
         self.succeed("square.obj", "-o", "b.png", "--size", "8x8", "--parallel-scale", "2",
                      "--supersampling", "1")  # otherwise the edges show both
         lines = self.compare(1, "square.obj", "--parallel-scale", "2", "--background", "blue",
                              "--compare", "b.png")
         self.assertEqual(lines[1], "the changed pixels show the background")
 
-    def test_as_many_samples_as_the_baseline(self):
+    def test_the_default_supersampling_is_that_of_the_baseline(self):
         # A .vti has no number of samples and counts as one, as does a PNG from other software.
         for name, samples in (("b.png", "3"), ("b.png", "1"), ("b.png", "5"), ("b.vti", "1")):
             view = (*self.SQUARE_VIEW[:1], "--direction", "1,2,3")
@@ -325,27 +325,27 @@ class TestDrawing(CompareTest):
             other = "2" if samples == "3" else "3"
             self.compare(1, *view, "--compare", name, "--supersampling", other)
 
-    def test_output_is_written_too(self):
+    def test_the_output_is_also_written(self):
         lines = self.compare(1, *self.SQUARE_VIEW, "--compare", "new.png", "-o", "x.png",
                              "--size", "4x4")
         self.assertEqual(lines[0], "there is no baseline 'new.png'")
         self.assertIn("look at 'x.png'", lines[1])
         self.compare(0, *self.SQUARE_VIEW, "--compare", "x.png")
 
-    def test_ids_stay_out_of_the_output(self):
+    def test_ids_are_not_written_to_the_output(self):
         self.succeed(*self.SQUARE_VIEW, "-o", "a.vti", "--size", "4x4")
         self.compare(0, *self.SQUARE_VIEW, "--compare", "a.vti", "-o", "b.vti")
         self.assertEqual(self.read("a.vti"), self.read("b.vti"))
         self.compare(0, "compare", "a.vti", "b.vti")
 
-    def test_standard_output_stays_a_picture(self):
+    def test_standard_output_gets_only_the_picture(self):
         self.succeed(*self.SQUARE_VIEW, "-o", "b.png", "--size", "4x4")
         done = self.run_command(*self.SQUARE_VIEW, "-o", "-", "--compare", "b.png",
                                 env=self.environment)
         self.assertEqual((done.returncode, done.stdout), (0, self.read("b.png")))
         self.assertEqual(done.stderr, b"all of 16 pixels are the same\n")
 
-    def test_wrong_usage(self):
+    def test_wrong_usage_is_refused(self):
         for option, value in (("--tolerance", "1"), ("--metric", "max"), ("--difference", "d.png"),
                               ("--report", "r.html"), ("--name", "x")):
             self.assertIn("--compare", self.fail_with(2, "square.obj", "-o", "x.png", option, value))

@@ -72,7 +72,7 @@ class TestEnSight(CommandTest):
         self.write("box.geo", content[:size])
         return self.fail_with(1, "box.case", "-o", "x.png")
 
-    def test_whole(self):
+    def test_complete_files_are_read(self):
         self.write("expected.obj", make.obj((CUBE, FACES)))
         expected = self.picture("expected.obj")
         for kind, items in KINDS.items():
@@ -86,16 +86,16 @@ class TestEnSight(CommandTest):
                 self.write("box.geo", text(items)[:-1])  # without the last line end
                 self.assertEqual(self.picture("box.case"), expected)
 
-    def test_cut_within_its_last_numbers(self):
+    def test_files_truncated_within_the_last_numbers_are_errors(self):
         for kind, items in KINDS.items():
             for encoding, write in ENCODINGS.items():
                 with self.subTest(kind=kind, encoding=encoding):
                     content = write(items)
                     for less in (2, 5, 13, 21):
-                        self.assertIn("its geometry file 'box.geo' is cut short; get a whole copy of "
-                                      "it", self.failure_when_cut(content, len(content) - less))
+                        self.assertIn("its geometry file 'box.geo' is incomplete; use a "
+                                      "complete copy", self.failure_when_cut(content, len(content) - less))
 
-    def test_cut_anywhere(self):
+    def test_files_truncated_anywhere_are_errors(self):
         items = KINDS["polyhedron"]
         for encoding, write in ENCODINGS.items():
             content = write(items)
@@ -106,26 +106,26 @@ class TestEnSight(CommandTest):
                     with self.subTest(encoding=encoding, size=size):
                         self.failure_when_cut(content, size)
 
-    def test_what_is_not_understood_is_left_to_the_reader(self):
+    def test_unknown_content_is_left_to_the_reader(self):
         content = text(KINDS["hexahedron"])
         self.write("box.geo", content)
         for case in ("model: 1 box.geo", "model: 1 1 box.geo", "model:\tbox.geo"):
             self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\n" + case + "\n")
             self.write("box.geo", content[:-30])
-            self.assertIn("cut short", self.fail_with(1, "box.case", "-o", "x.png"))
+            self.assertIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
         self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: box.geo\n")
         self.write("box.geo", content + b"something\nelse\n")
-        self.assertNotIn("cut short", self.fail_with(1, "box.case", "-o", "x.png"))
+        self.assertNotIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
         for counts in ("-1", "x", "99999999999999999999"):
             self.write("box.geo", content.replace(b"         8\n", counts.encode() + b"\n"))
-            self.assertNotIn("cut short", self.fail_with(1, "box.case", "-o", "x.png"))
+            self.assertNotIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
         for size in ("-1 2 2", "2147483647 2147483647 2147483647"):
             self.write("box.geo", text(HEAD + PART + ["block", size]) + b"0\n")
-            self.assertNotIn("cut short", self.fail_with(1, "box.case", "-o", "x.png"))
+            self.assertNotIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
         self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: none.geo\n")
-        self.assertNotIn("cut short", self.fail_with(1, "box.case", "-o", "x.png"))
+        self.assertNotIn("incomplete", self.fail_with(1, "box.case", "-o", "x.png"))
 
-    def test_a_variable_that_is_cut_short_is_left_out(self):
+    def test_truncated_variables_are_skipped(self):
         self.write("box.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: box.geo\nVARIABLE\n"
                    "scalar per node: x box.x\nvector per element: v box.v\n")
         items = KINDS["hexahedron"]
@@ -148,7 +148,7 @@ class TestEnSight(CommandTest):
                         self.assertEqual(
                             (done.returncode, done.stderr.decode()),
                             (0, "lambent: warning: 'box.case': its variable %s is skipped: the file "
-                             "'%s' is cut short\n" % (variable, name)))
+                             "'%s' is incomplete\n" % (variable, name)))
                         self.assertEqual(self.read("picture.pnm"), surface)
                         done = self.run_command("box.case", "--contour", "0.5,x", "-o", "x.png")
                         self.assertEqual(done.returncode, variable == "x", done.stderr)

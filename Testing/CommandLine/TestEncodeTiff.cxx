@@ -21,7 +21,7 @@ using namespace lambent::command;
 namespace
 {
 
-/// Different values everywhere, some of which only their bits tell apart.
+/// An image of different values. Some differ only in their bits.
 vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int type, int channels)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int width, int height, int type, int cha
   return image;
 }
 
-/// What vtkTIFFReader reads, the right way up.
+/// Writes an image and reads it by vtkTIFFReader, the right way up.
 vtkSmartPointer<vtkImageData> WriteAndRead(vtkImageData* image)
 {
   const std::vector<unsigned char> bytes = EncodeTiff(image);
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkImageData> WriteAndRead(vtkImageData* image)
   file.Write(bytes.data(), bytes.size());
   vtkNew<vtkTIFFReader> reader;
   reader->SetFileName(file.GetPath().c_str());
-  reader->SetOrientationType(4); // or it would put the top row at the bottom
+  reader->SetOrientationType(4); // otherwise the top row would be at the bottom
   reader->Update();
   return reader->GetOutput();
 }
@@ -86,8 +86,8 @@ TEST(EncodeTiff, VtkReadsTheSameBits)
   }
 }
 
-// VTK's reader inverts alpha, which vtkTIFFWriter does not. ReadBackground() corrects that; once
-// the reader no longer does, this test fails, and the correction must go.
+// VTK's reader inverts alpha, but vtkTIFFWriter does not. ReadBackground() corrects that. If this
+// test fails because the reader no longer does so, remove the correction.
 TEST(EncodeTiff, VtkInvertsAlpha)
 {
   const auto image = MakeImage(5, 3, VTK_UNSIGNED_CHAR, 4);
@@ -100,7 +100,7 @@ TEST(EncodeTiff, VtkInvertsAlpha)
   ExpectSameBits(image, read);
 }
 
-TEST(EncodeTiff, OtherNumbersOfChannelsAreRefused)
+TEST(EncodeTiff, RefusesOtherNumbersOfChannels)
 {
   for (const int channels : { 2, 5 })
   {
@@ -108,7 +108,7 @@ TEST(EncodeTiff, OtherNumbersOfChannelsAreRefused)
   }
 }
 
-// 4096 rows of 16 bytes fill a strip of 64 KiB.
+// 4096 rows of 16 bytes fill one strip of 64 KiB.
 TEST(EncodeTiff, PixelsFollowTheTags)
 {
   for (const int height : { 1, 2, 4096, 4097 })

@@ -77,7 +77,7 @@ TRIANGLES = array("TRIANGLE", TETRAHEDRON[1], "INT32")
 
 class TestGifti(VariantsTest):
 
-    def test_encodings(self):
+    def test_all_encodings_are_read(self):
         expected = self.reference()
         for encoding, endian, order in itertools.product(
                 ("ASCII", "Base64Binary", "GZipBase64Binary"), ("Little", "Big"), ("Row", "Column")):
@@ -85,7 +85,7 @@ class TestGifti(VariantsTest):
                             array("TRIANGLE", TETRAHEDRON[1], "INT32", encoding, endian, order))
             self.assertEqual(self.picture("a.gii", content), expected, (encoding, endian, order))
 
-    def test_types(self):
+    def test_all_number_types_are_read(self):
         expected = self.reference()
         for kind in CODES:
             points = "FLOAT32" if kind != "FLOAT64" else kind
@@ -101,7 +101,7 @@ class TestGifti(VariantsTest):
             tuple(4 + k for k in face) for face in TETRAHEDRON[1]]))
         self.assertEqual(self.picture("two.gii", content), expected)
 
-    def test_no_surface(self):
+    def test_files_without_a_surface_are_refused(self):
         values = gifti(array("SHAPE", TETRAHEDRON[0], "FLOAT32"))
         self.assertIn(".surf.gii", self.failure("brain.func.gii", values))
         self.assertIn("1 arrays of points and 0 of triangles", self.failure("a.gii", gifti(POINTS)))
@@ -110,19 +110,19 @@ class TestGifti(VariantsTest):
         self.assertIn("not a GIFTI file", self.failure("a.gii", "<VTKFile/>"))
         self.assertIn("check that the file is complete", self.failure("a.gii", "Dear reader"))
 
-    def test_triangles_that_name_no_point(self):
+    def test_triangles_with_missing_points_are_refused(self):
         for wrong in (4, -1, 2000000000):
             faces = TETRAHEDRON[1][:3] + [(2, wrong, 3)]
             line = self.failure("a.gii", gifti(POINTS, array("TRIANGLE", faces, "INT32")))
-            self.assertIn("triangle 3 names a point that does not exist; there are 4", line)
+            self.assertIn("triangle 3 uses a point that does not exist; there are 4", line)
 
-    def test_points_that_are_not_finite(self):
+    def test_points_that_are_not_finite_are_refused(self):
         points = TETRAHEDRON[0][:2] + [(0, float("nan"), 0), (float("inf"), 0, 0)]
         content = gifti(array("POINTSET", points, "FLOAT32", "GZipBase64Binary"), TRIANGLES)
         self.assertIn("point 2 has a coordinate that is not a finite number",
                       self.failure("a.gii", content))
 
-    def test_sizes_that_do_not_fit(self):
+    def test_wrong_sizes_are_refused(self):
         for encoding in ("ASCII", "Base64Binary", "GZipBase64Binary"):
             whole = array("TRIANGLE", TETRAHEDRON[1], "INT32", encoding)
             for rows, word in ((3, "more"), (5, "fewer"), (2000000, "fewer"), (2000000000, "Dim0"),
@@ -135,7 +135,7 @@ class TestGifti(VariantsTest):
                 self.assertIn("3 columns", self.failure(
                     "a.gii", gifti(POINTS, whole.replace('Dim1="3"', wrong))))
 
-    def test_words_that_are_not_known(self):
+    def test_unknown_attributes_are_refused(self):
         whole = array("TRIANGLE", TETRAHEDRON[1], "INT32", "Base64Binary")
         for old, new, word in (
                 ("Base64Binary", "ExternalFileBinary", "wb_command"), ("INT32", "RGB24", "DataType"),
@@ -143,12 +143,12 @@ class TestGifti(VariantsTest):
                 ("Base64Binary", "Base85", "Encoding")):
             self.assertIn(word, self.failure("a.gii", gifti(POINTS, whole.replace(old, new))))
 
-    def test_data_that_are_broken(self):
+    def test_corrupt_data_is_refused(self):
         for encoding, data, word in (
                 ("ASCII", "0 2 1 x 1 3 1 2 3 2 0 3", "value 3"), ("Base64Binary", "AAAA*AAA", "base64"),
                 ("Base64Binary", "AAA", "base64"), ("Base64Binary", "A===", "base64"),
-                ("GZipBase64Binary", "AAAAAAAA", "packed"), ("Base64Binary", "", "fewer"),
-                ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(48))[:-3]).decode(), "packed"),
+                ("GZipBase64Binary", "AAAAAAAA", "compressed"), ("Base64Binary", "", "fewer"),
+                ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(48))[:-3]).decode(), "compressed"),
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(47))).decode(), "fewer"),
                 ("GZipBase64Binary", base64.b64encode(zlib.compress(bytes(1 << 24))).decode(), "more")):
             triangles = array("TRIANGLE", TETRAHEDRON[1], "INT32", encoding, data=data)
@@ -240,14 +240,14 @@ class TestGmsh(VariantsTest):
         for write, way in itertools.product((gmsh2, gmsh4), ORDERS):
             yield (write.__name__, way), write(points, elements, way)
 
-    def test_surfaces(self):
+    def test_surface_elements_are_read(self):
         expected = self.reference((CUBE, CUBE_FACES[1:] + [(0, 4, 6), (0, 6, 2)]))
         elements = [(QUAD, face) for face in CUBE_FACES[1:]] + [
             (15, (0,)), (1, (0, 1)), (TRIANGLE, (0, 4, 6)), (TRIANGLE, (0, 6, 2))]
         for way, content in self.ways(CUBE, elements):
             self.assertEqual(self.picture("a.msh", content), expected, way)
 
-    def test_volumes(self):
+    def test_the_surface_of_volume_elements_is_read(self):
         expected = self.reference((CUBE, CUBE_FACES))
         for way, content in self.ways(CUBE, [(HEXAHEDRAL, HEXAHEDRON)]):
             self.assertEqual(self.picture("a.msh", content), expected, way)
@@ -255,7 +255,7 @@ class TestGmsh(VariantsTest):
         for way, content in self.ways(TETRAHEDRON[0], [(TETRAHEDRAL, (0, 1, 2, 3))]):
             self.assertEqual(self.picture("a.msh", content), expected, way)
 
-    def test_second_order(self):
+    def test_second_order_elements_are_drawn_by_their_corners(self):
         for kind, corners in ((9, (0, 1, 3)), (10, (0, 1, 3, 2)), (16, (0, 1, 3, 2)),
                               (11, (0, 1, 2, 4)), (17, HEXAHEDRON)):
             first = {9: TRIANGLE, 10: QUAD, 16: QUAD, 11: TETRAHEDRAL, 17: HEXAHEDRAL}[kind]
@@ -264,18 +264,18 @@ class TestGmsh(VariantsTest):
             for way, content in self.ways(CUBE, [(kind, nodes)]):
                 self.assertEqual(self.picture("a.msh", content), expected, (kind, way))
 
-    def test_lines_only(self):
+    def test_files_with_only_lines_cause_a_warning(self):
         for way, content in self.ways(CUBE, [(1, (0, 1))]):
             self.warning("a.msh", content)
 
-    def test_wrong_numbers(self):
+    def test_wrong_numbers_are_refused(self):
         text = gmsh2(*TETRAHEDRON[:1], [(TRIANGLE, face) for face in TETRAHEDRON[1]]).decode()
         for old, new, word in (
-                ("4 2 2 0 1 13 7 16", "4 2 2 0 1 13 8 16", "element 4 names node 8, which does not exist"),
+                ("4 2 2 0 1 13 7 16", "4 2 2 0 1 13 8 16", "element 4 uses node 8, which does not exist"),
                 ("\n10 2", "\n7 2", "two nodes with the number 7"),
                 ("\n10 2", "\n10 nan", "node 10 has a coordinate that is not a finite number"),
                 ("\n10 2", "\n10 x", "line 11: there is no number where a coordinate"),
-                ("$Nodes\n4", "$Nodes\n3", "line 13: the section $Nodes does not end"),
+                ("$Nodes\n4", "$Nodes\n3", "line 13: the section $Nodes does not have the length"),
                 ("$Nodes\n4", "$Nodes\n9000000000000000000", "line 14: there is no number"),
                 ("$Nodes\n4", "$Nodes\n-4", "is negative"),
                 ("$Elements\n4", "$Elements\n5", "there is no number"),
@@ -286,7 +286,7 @@ class TestGmsh(VariantsTest):
             self.assertIn(old, text)
             self.assertIn(word, self.failure("a.msh", text.replace(old, new, 1)), (old, new))
 
-    def test_counts_beyond_the_file(self):
+    def test_counts_beyond_the_file_are_refused(self):
         # The file has no count of corners.
         content = gmsh4(TETRAHEDRON[0] + [(0, 0, 0)], [(TRIANGLE, (0, 1, 2))] * 4, "little")
         for count in (4, 5):
@@ -310,7 +310,7 @@ def abaqus(points, *blocks):
 
 class TestAbaqus(VariantsTest):
 
-    def test_surfaces(self):
+    def test_surface_elements_are_read(self):
         expected = self.reference((CUBE, CUBE_FACES[1:] + [(0, 4, 6), (0, 6, 2)]))
         triangles = [(0, 4, 6), (0, 6, 2)]
         for quad in ("S4", "S4R", "s4r5", "CPS4", "CPE4R", "M3D4", "R3D4", "CAX4"):
@@ -321,7 +321,7 @@ class TestAbaqus(VariantsTest):
                       "\ufeff" + text, text.replace("\n", "\n** comment,\n"), text.rstrip()):
             self.assertEqual(self.picture("a.inp", lines.encode()), expected)
 
-    def test_volumes(self):
+    def test_the_surface_of_volume_elements_is_read(self):
         for kind, more, corners, faces in (
                 ("C3D8", 0, HEXAHEDRON, CUBE_FACES), ("C3D8R", 0, HEXAHEDRON, CUBE_FACES),
                 ("C3D20", 12, HEXAHEDRON, CUBE_FACES), ("SC8R", 0, HEXAHEDRON, CUBE_FACES),
@@ -334,7 +334,7 @@ class TestAbaqus(VariantsTest):
             lines = text.rsplit(",", 2)
             self.assertEqual(self.picture("a.inp", lines[0] + ",\n" + lines[1] + "," + lines[2]), expected)
 
-    def test_second_order_surfaces(self):
+    def test_second_order_surfaces_are_drawn_by_their_corners(self):
         for kind, first in (("STRI65", "S3"), ("CPS6", "S3"), ("M3D6", "S3"), ("S8R", "S4"), ("CPE8", "S4"),
                             ("S9R5", "S4")):
             corners = (0, 4, 6) if first == "S3" else (0, 4, 6, 2)
@@ -342,13 +342,13 @@ class TestAbaqus(VariantsTest):
             self.assertEqual(self.picture("a.inp", abaqus(CUBE, (kind, [nodes]))),
                              self.picture("a.inp", abaqus(CUBE, (first, [corners]))), kind)
 
-    def test_elements_that_are_not_drawn(self):
+    def test_other_elements_are_skipped_with_a_warning(self):
         text = abaqus(CUBE, ("B31", [(0, 1), (1, 2)]), ("S4", CUBE_FACES), ("T3D2", [(0, 3)]))
         line = self.warning("a.inp", text)
-        self.assertIn("elements of types that are not drawn, such as 'B31', are skipped; they take up 3 lines", line)
+        self.assertIn("elements of unsupported types, such as 'B31', are skipped; they take up 3 lines", line)
         self.assertEqual(self.read("picture.pnm"), self.reference((CUBE, CUBE_FACES)))
 
-    def test_parts(self):
+    def test_all_parts_are_read(self):
         moved = [(x - 3, y, z) for x, y, z in TETRAHEDRON[0]]
         parts = "".join("*Part, name=P%d\n%s*End Part\n" % (k, abaqus(points, ("S3", TETRAHEDRON[1])))
                         for k, points in enumerate((TETRAHEDRON[0], moved)))
@@ -359,18 +359,18 @@ class TestAbaqus(VariantsTest):
         self.assertIn("not moved", self.warning("a.inp", parts + instance % "1, 0, 0\n"))
         self.assertEqual(self.read("picture.pnm"), expected)
 
-    def test_what_is_refused(self):
+    def test_unsupported_keywords_are_refused(self):
         whole = abaqus(*TETRAHEDRON[:1], ("S3", TETRAHEDRON[1]))
         for old, new, word in (
-                ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE names another file"),
-                ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE names another file"),
+                ("*Node\n", "*Include, input=a.txt\n", "line 3: *INCLUDE refers to another file"),
+                ("*Node\n", "*Node, input=a.txt\n", "line 3: *NODE refers to another file"),
                 ("*Node\n", "*Node, system=C\n", "rectangular coordinates"),
                 ("*Element", "*Ngen\n1, 5, 1\n*Element", "line 8: *NGEN creates or moves"),
                 ("*Heading", "8 12 0 0 0", "AVS"), ("*Heading", "# made by AVS\n8 12 0 0 0", "AVS"),
                 ("*Heading", "[TITLE]", "does not begin with a keyword"),
                 ("*Element", "*Elset", "it has no elements"),
                 (", type=S3", "", "line 8: *ELEMENT has no TYPE"),
-                ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 names node 11, which does not exist"),
+                ("4, 30, 10, 40", "4, 30, 11, 40", "its element 4 uses node 11, which does not exist"),
                 ("4, 30, 10, 40", "4, 30, 10, 40, 20", "line 12: element 4 has more than the 3 nodes"),
                 ("4, 30, 10, 40", "4, 30, 10", "line 12: element 4 has only 2 of the 3 nodes of its type 'S3'"),
                 ("4, 30, 10, 40", "4, 30, x, 40", "line 12: found 'X' where the number of an element or node"),

@@ -61,7 +61,7 @@ class FormatsTest(CommandTest):
 
 class TestKinds(FormatsTest):
 
-    def test_surfaces(self):
+    def test_all_surface_formats_give_the_same_picture(self):
         self.write("expected.ply", make.ply_text(TETRAHEDRON))
         names = self.readable(sorted(map(os.path.basename,
                                          glob.glob(self.path("tetrahedron.*")))))
@@ -75,20 +75,20 @@ class TestKinds(FormatsTest):
                 if shading == "flat" or not name.endswith(apart):
                     self.assertEqual(self.picture(name, "--shading", shading), expected, name)
 
-    def test_volumes(self):
+    def test_all_volume_formats_give_the_same_picture(self):
         self.write("expected.obj", make.obj(BOX))
         expected = self.picture("expected.obj", *FLAT)
         for name in self.readable(GRIDS + ("box.msh",)):
             self.assertEqual(self.picture(name, *FLAT), expected, name)
 
-    def test_count_of_triangles(self):
+    def test_walls_between_cells_are_not_drawn(self):
         # If the two cells are in one grid, the wall between them is not drawn.
         for name, count in (("tetrahedron.vtm", 4), ("tetrahedron.pvd", 4), ("box.vts", 20),
                             ("box.pvts", 20), ("box.pvtr", 20), ("box.pvtu", 24)):
             done = self.run_command(name, "-o", "x.png", "--verbose", *VIEW)
             self.assertIn(b"triangles  %d\n" % count, done.stderr, name)
 
-    def test_contours(self):
+    def test_contours_of_point_data_are_drawn(self):
         square = [(0.75, y, z) for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
         self.write("expected.obj", make.obj((square, [(0, 1, 2, 3)])))
         expected = self.picture("expected.obj", *FLAT)
@@ -98,7 +98,7 @@ class TestKinds(FormatsTest):
                 if name != "structured.vtk":
                     self.assertEqual(self.picture(name, "--contour", "0.75", *FLAT), expected, name)
 
-    def test_contour_of_cell_data(self):
+    def test_contours_of_cell_data_are_drawn(self):
         # Averaged at the points, the values of cell are 1, 1.5 and 2 along x.
         square = [(0.5, y, z) for y, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
         self.write("expected.obj", make.obj((square, [(0, 1, 2, 3)])))
@@ -106,7 +106,7 @@ class TestKinds(FormatsTest):
         for name in ("box.vti", "box.vts", "image.vtk"):
             self.assertEqual(self.picture(name, "--contour", "1.25,cell", *FLAT), expected, name)
 
-    def test_gzipped(self):
+    def test_all_formats_can_be_gzipped(self):
         names = ["tetrahedron.ply", "tetrahedron.vtp", *sorted(os.listdir(FORMATS))]
         self.write(names[0], make.ply_binary(TETRAHEDRON))
         self.write(names[1], make.vtp(TETRAHEDRON))
@@ -119,7 +119,7 @@ class TestKinds(FormatsTest):
             self.assertEqual(self.picture(name + ".GZ", *options), expected, name)
             os.remove(self.path(name + ".GZ"))
 
-    def test_several_kinds_are_one_scene(self):
+    def test_files_of_different_formats_form_one_scene(self):
         self.write("moved.off", self.read("tetrahedron.off").decode().replace("0 0 0", "-4 0 0"))
         self.write("moved.ply", make.ply_text((
             [(-4, 0, 0)] + TETRAHEDRON[0][1:], TETRAHEDRON[1])))
@@ -135,20 +135,20 @@ class TestKinds(FormatsTest):
 
 class TestFormatsList(FormatsTest):
 
-    def test_list(self):
+    def test_all_formats_are_listed(self):
         text = self.succeed("--formats").decode()
         for extension in (".vtp .vtk .vtu .ply .stl .obj .off .vti .vtr .vts .pvtp .pvtu .vtm .pvd "
                           ".gii .msh .inp .gltf .glb .dae .3ds .fbx .3mf .amf .e .case .foam .gz .png").split():
             self.assertRegex(text, r"(?m)\%s\b" % extension)
 
-    def test_unknown_kinds(self):
+    def test_unknown_extensions_are_refused(self):
         for name in ("letter.txt", "letter", "letter.gz", "mesh.ply.zip", "letter.txt.gz"):
             self.write(name, "Dear reader")
             line = self.fail_to_read(name)
-            self.assertIn("its kind is not known", line)
+            self.assertIn("its format is unknown", line)
             self.assertIn(".vtp .vtk .vtu", line)
 
-    def test_kinds_that_are_not_read(self):
+    def test_unsupported_formats_are_refused_with_advice(self):
         for name, remedy in (("mesh.MED", "meshio"), ("part.step", "CAD"),
                              ("mesh.bdf.gz", "meshio")):
             self.write(name, "Dear reader")
@@ -157,7 +157,7 @@ class TestFormatsList(FormatsTest):
             self.assertIn(remedy, line)
             self.assertIn(".vtp .vtk .vtu", line)
 
-    def test_kinds_that_this_build_lacks(self):
+    def test_formats_that_this_build_lacks_are_refused(self):
         for name in set(os.listdir(FORMATS)) - set(self.readable(
                 [name for name in os.listdir(FORMATS) if "." in name])):
             if "." in name:
@@ -172,7 +172,7 @@ class TestContourOptions(FormatsTest):
             self.assertIn("--contour VALUE[,ARRAY]", line)
             self.assertIn("cell from 1 to 2, x from 0 to 2", line)
 
-    def test_values_and_arrays_that_do_not_fit(self):
+    def test_wrong_values_and_arrays_are_refused(self):
         self.assertIn("no surface in it has x = 2.5; its arrays: cell from 1 to 2, x from 0 to 2",
                       self.fail_to_read("box.vti", "--contour", "2.5,x"))
         self.assertIn("no array 'y'", self.fail_to_read("box.vtr", "--contour", "1,y"))
@@ -184,25 +184,25 @@ class TestContourOptions(FormatsTest):
                       self.fail_to_read("two.vti", "--contour", "1"))
         self.picture("two.vti", "--contour", "0.75,y,z")
 
-    def test_flat_image(self):
+    def test_a_flat_image_has_no_contour_surface(self):
         text = self.read("image.vtk").decode().replace("3 2 2", "3 4 1")
         self.write("flat.vtk", text[:text.index("CELL_DATA")])
         self.assertIn("no surface", self.fail_to_read("flat.vtk", "--contour", "0.5,x"))
 
-    def test_polygons_are_drawn_as_they_are(self):
+    def test_polygons_are_drawn_unchanged_with_contour(self):
         done = self.run_command("tetrahedron.off", "--contour", "1", "-o", "x.pnm", *VIEW)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
         self.assertIn(b"no volume", done.stderr)
         self.assertEqual(self.read("x.pnm"), self.picture("tetrahedron.off"))
 
-    def test_wrong_usage(self):
+    def test_invalid_contours_are_refused(self):
         for value in ("", "x", "nan", "inf", "1,", ",x"):
             self.assertIn("--contour", self.fail_with(2, "box.vti", "-o", "x.png", "--contour", value))
 
 
 class TestParts(FormatsTest):
 
-    def test_parts_that_cannot_be_read(self):
+    def test_unreadable_parts_are_errors(self):
         for name, part in (("tetrahedron.vtm", "parts/back.vtp"), ("box.pvti", "parts/right.vti"),
                            ("tetrahedron.pvtp", "parts/back.vtp"), ("box.pvtu", "parts/right.vtu"),
                            ("tetrahedron.pvd", "parts/back.vtp"), ("box.pvts", "parts/right.vts")):
@@ -213,7 +213,7 @@ class TestParts(FormatsTest):
             self.assertIn("its part '%s': there is no such file" % part, self.fail_to_read(name))
             self.write(part, whole)
 
-    def test_parts_of_other_kinds(self):
+    def test_parts_may_have_other_formats(self):
         text = self.read("tetrahedron.vtm").decode()
         self.write("mixed.vtm", text.replace("parts/back.vtp", "box.pvts"))
         self.write("box.obj", make.obj(BOX))
@@ -222,14 +222,14 @@ class TestParts(FormatsTest):
                          self.picture("front.ply", "box.obj", *FLAT))
         self.write("wrong.vtm", text.replace("parts/back.vtp", "letter.txt"))
         self.write("letter.txt", "Dear reader")
-        self.assertIn("its part 'letter.txt': its kind is not known", self.fail_to_read("wrong.vtm"))
+        self.assertIn("its part 'letter.txt': its format is unknown", self.fail_to_read("wrong.vtm"))
 
-    def test_files_that_name_each_other(self):
+    def test_circular_references_are_errors(self):
         text = self.read("tetrahedron.vtm").decode()
         self.write("circle.vtm", text.replace("parts/back.vtp", "circle.vtm"))
         self.assertIn("in a circle", self.fail_to_read("circle.vtm"))
 
-    def test_cells_that_pieces_repeat_are_drawn_once(self):
+    def test_ghost_cells_are_not_drawn_twice(self):
         # The front declares that its second cell belongs to its neighbour, which has it, too.
         front = self.read("parts/front.vtp").decode()
         ghosts = ('<CellData><DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 1'
@@ -238,7 +238,7 @@ class TestParts(FormatsTest):
         done = self.run_command("tetrahedron.pvtp", "-o", "x.png", "--verbose", *VIEW)
         self.assertIn(b"triangles  3\n", done.stderr)
 
-    def test_nothing_in_it(self):
+    def test_files_without_a_mesh_are_errors(self):
         text = self.read("tetrahedron.vtm").decode()
         self.write("empty.vtm", text.replace("back", "empty").replace("front", "empty"))
         self.assertIn("no mesh", self.fail_to_read("empty.vtm"))
@@ -250,21 +250,21 @@ class TestGzip(FormatsTest):
         super().setUp()
         self.packed = gzip.compress(self.read("tetrahedron.off"))
 
-    def test_cut_or_broken(self):
+    def test_truncated_and_corrupt_gzip_files_are_errors(self):
         for size in range(1, len(self.packed)):
             self.write("cut.off.gz", self.packed[:size])
-            self.assertIn("cut short", self.fail_to_read("cut.off.gz"))
+            self.assertIn("incomplete", self.fail_to_read("cut.off.gz"))
         for k in (0, 1, 2, 12, len(self.packed) // 2, len(self.packed) - 7, len(self.packed) - 1):
             wrong = bytearray(self.packed)
             wrong[k] ^= 0x10
             self.write("wrong.off.gz", bytes(wrong))
             self.fail_to_read("wrong.off.gz")
 
-    def test_not_packed(self):
+    def test_files_that_are_not_gzipped_are_refused(self):
         self.write("plain.off.gz", self.read("tetrahedron.off"))
-        self.assertIn("not packed", self.fail_to_read("plain.off.gz"))
+        self.assertIn("not compressed", self.fail_to_read("plain.off.gz"))
 
-    def test_several_members_and_what_follows(self):
+    def test_several_members_and_trailing_bytes_are_handled(self):
         expected = self.picture("tetrahedron.off")
         text = self.read("tetrahedron.off")
         self.write("two.off.gz", gzip.compress(text[:20]) + gzip.compress(text[20:]))
@@ -276,22 +276,22 @@ class TestGzip(FormatsTest):
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
         self.assertEqual(self.read("x.pnm"), expected)
 
-    def test_bomb(self):
+    def test_decompression_bombs_are_refused(self):
         self.write("bomb.off.gz", gzip.compress(bytes(200 << 20)))  # 200 MiB of zeros as 200 kB
         self.assertIn("256 times", self.fail_to_read("bomb.off.gz"))
 
-    def test_errors_name_the_file(self):
+    def test_errors_name_the_compressed_file(self):
         self.write("wrong.vtp.gz", gzip.compress(b"Dear reader"))
         line = self.fail_to_read("wrong.vtp.gz")
         self.assertNotIn(self.temporary, line)
         self.assertNotIn(".lambent-", line)
 
-    def test_no_folder_for_temporary_files(self):
+    def test_a_missing_temporary_folder_is_an_error(self):
         self.environment["TMPDIR"] = self.path("nowhere")
         self.write("a.off.gz", self.packed)
         self.assertIn("TMPDIR", self.fail_to_read("a.off.gz"))
 
-    def test_packed_parts(self):
+    def test_compressed_parts_are_refused(self):
         text = self.read("tetrahedron.vtm").decode()
         self.write("packed.vtm", text.replace("back.vtp", "back.vtp.gz"))
         self.write("parts/back.vtp.gz", gzip.compress(self.read("parts/back.vtp")))

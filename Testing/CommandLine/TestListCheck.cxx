@@ -138,7 +138,7 @@ TYPED_TEST(ListChecks, FindEachWrongId)
       list.Ids->SetValue(at, wrong);
       EXPECT_FALSE(IsNoted(list, Points)) << at << " " << wrong;
       EXPECT_EQ(Failing(list.ToCells())
-                  .rfind("its polygon " + std::to_string(at / 3) + " names point " +
+                  .rfind("its polygon " + std::to_string(at / 3) + " uses point " +
                       std::to_string(wrong) + ", which does not exist",
                     0),
         0u)
@@ -203,7 +203,7 @@ TEST(ListChecksOfFiles, FindAWrongId)
     polygons->InsertNextCell({ 0, 1, 2 });
     polygons->InsertNextCell({ 0, 2, wrong });
     mesh->SetPolys(polygons);
-    const std::string expected = "its polygon 1 names point " + std::to_string(wrong) + ", which";
+    const std::string expected = "its polygon 1 uses point " + std::to_string(wrong) + ", which";
     using Xml = vtkXMLPolyDataWriter;
     for (const int mode : { Xml::Ascii, Xml::Binary, Xml::Appended })
     {

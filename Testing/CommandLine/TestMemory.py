@@ -31,13 +31,13 @@ class TestMemory(CommandTest):
                 return megabytes
         self.skipTest("the command needs very much address space; it has a sanitizer in it")
 
-    def test_too_little_for_the_picture(self):
+    def test_too_little_memory_for_the_picture_is_an_error(self):
         least = self.least()
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--threads", "1", "--size",
                               "30000x20000", preexec_fn=limited(least + 512))
         self.assertRegex(line, "cannot render: .*(memory|allocate)")  # one is VTK's own message
 
-    def test_too_little_for_anything(self):
+    def test_too_little_memory_for_anything_is_an_error(self):
         least = self.least()
         self.write("x.png", "old")
         statuses = set()

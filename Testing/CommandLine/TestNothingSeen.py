@@ -36,7 +36,7 @@ CASES = (
      "all faces lie behind the camera; try without --camera-position or --focal-point"),
     (TETRAHEDRON, ("--focal-point", "50,0,0"), OUTSIDE + "--focal-point"),
     (SQUARE, AT_Z + ("--focal-point", "30,0,0", "--zoom", "2"), OUTSIDE + "--focal-point or --zoom"),
-    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces look so small that they fall "
+    (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces appear so small that they fall "
      "between the pixels; try a larger --zoom or --size"),
     # The surface.
     (TETRAHEDRON, ("--color", "black"), NO_COLOUR),
@@ -74,7 +74,7 @@ class TestNothingSeen(CommandTest):
         self.assertIn("picture.png", self.files())
         return done.stderr.decode()
 
-    def test_the_reason_is_said_in_one_line(self):
+    def test_the_reason_is_given_in_one_line(self):
         for mesh, arguments, reason in CASES:
             text = self.said(mesh, *arguments)
             self.assertTrue(text.startswith("lambent: warning: the picture shows nothing: " + reason),
@@ -83,7 +83,7 @@ class TestNothingSeen(CommandTest):
             if reason != FLAT:
                 self.assertTrue(text.endswith(reason + "\n"), text)
 
-    def test_what_to_try_shows_something(self):
+    def test_the_advice_makes_surfaces_visible(self):
         for mesh, arguments, reason in CASES:
             if reason.startswith(FLAT) and "--camera-position" not in arguments:
                 text = self.said(mesh, *arguments)
@@ -92,11 +92,11 @@ class TestNothingSeen(CommandTest):
                 self.assertEqual(self.said(mesh, *arguments[:at], *arguments[at + 2:],
                                            "--direction=" + direction), "", direction)
 
-    def test_black_faces_before_another_background(self):
+    def test_black_faces_on_another_background_are_reported(self):
         self.assertIn("the picture shows only black: " + NO_COLOUR,
                       self.said(TETRAHEDRON, "--background", "white", "--color", "black"))
 
-    def test_normals_that_point_sideways(self):
+    def test_sideways_normals_are_reported(self):
         normals = "".join("vn 1 0 0\n" for _ in range(4))
         faces = "f 1//1 2//2 3//3\nf 1//1 3//3 4//4\n"
         points = "".join("v %r %r %r\n" % p for p in SQUARE[0])
@@ -105,18 +105,18 @@ class TestNothingSeen(CommandTest):
         self.assertEqual(done.stderr.decode(), "lambent: warning: the picture shows nothing: the "
                          "normals of the mesh are invalid or point away from the light; try --shading flat\n")
 
-    def test_a_strip_is_triangles(self):
+    def test_triangle_strips_are_considered(self):
         self.write("strip.vtk", "# vtk DataFile Version 3.0\nstrip\nASCII\nDATASET POLYDATA\n"
                    "POINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n")
         done = self.run_command("strip.vtk", "-o", "picture.png", "--size", "40x30", "--direction",
                                 "1,0,0")
         self.assertIn(FLAT + "0,0,1\n", done.stderr.decode())
 
-    def test_quiet_says_nothing(self):
+    def test_quiet_suppresses_the_warning(self):
         for mesh, arguments, _ in CASES:
             self.assertEqual(self.said(mesh, *arguments, "--quiet"), "", arguments)
 
-    def test_a_picture_that_shows_something_says_nothing(self):
+    def test_visible_surfaces_cause_no_warning(self):
         for mesh, arguments in (
                 (SQUARE, ()), (TETRAHEDRON, ()), (TWO_SHEETS, ()), (TUBE, ()), (TILTED, ()),
                 (TETRAHEDRON, ("--background", "white")),
@@ -125,13 +125,13 @@ class TestNothingSeen(CommandTest):
                 (SQUARE, AT_Z + ("--light", "direction=0,0,1", "--headlight"))):
             self.assertEqual(self.said(mesh, *arguments), "", arguments)
 
-    def test_what_was_said_of_the_file_is_not_said_again(self):
+    def test_warnings_about_the_file_are_not_repeated(self):
         self.write("mesh.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty "
                    "float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 0\n")
         done = self.run_command("mesh.ply", "-o", "picture.png", "--size", "40x30")
         self.assertNotIn("the picture shows nothing", done.stderr.decode())
 
-    def test_it_is_said_of_a_comparison_and_of_a_picture_drawn_again(self):
+    def test_comparisons_and_recreated_pictures_cause_the_warning(self):
         self.said(SQUARE, "--direction", "1,0,0")
         for arguments in (("mesh.obj", "--direction", "1,0,0", "--compare", "picture.png"),
                           ("--recreate", "picture.png")):

@@ -113,7 +113,7 @@ TEST(NumberedMesh, MissingNodes)
   NumberedMesh mesh(false);
   AddCube(mesh);
   mesh.AddElement(12, { VTK_TRIANGLE, 3 }, { 0, 100, 9 });
-  EXPECT_EQ(FailureOf(mesh).rfind("its element 12 names node 9, which does not exist", 0), 0u);
+  EXPECT_EQ(FailureOf(mesh).rfind("its element 12 uses node 9, which does not exist", 0), 0u);
 }
 
 TEST(NumberedMesh, NodesWithTheSameNumber)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the corners of an OBJ file become points if they name normals, smoothing groups or texture
+// How the corners of an OBJ file become points if they use normals, smoothing groups or texture
 // coordinates.
 
 #include "OppositeFaces.h"

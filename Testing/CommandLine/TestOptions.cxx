@@ -66,7 +66,7 @@ TEST(Options, NegativeNumbersAreNotOptions)
   EXPECT_EQ(parsed.options.viewUp, (Triple{ -0.5, 0, 1 }));
 }
 
-TEST(Options, PassesAreParsedInTheirOrder)
+TEST(Options, PassesAreParsedInOrder)
 {
   const Parsed parsed = Parse({ "--pass", "depth", "--pass", "point:a b=c=d.TIF", "a.ply", "--pass",
     "cell:x", "--pass", "ids=i.tiff", "-o", "x.vti", "--alpha" });

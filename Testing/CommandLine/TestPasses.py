@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data beside the picture: what --pass stores, in which files, and what it refuses."""
+"""Passes: what --pass stores, in which files, and what it refuses."""
 
 import math
 import os
@@ -27,7 +27,7 @@ def expected(see, miss):
 
 
 def cell(x, y):
-    return 0 if x >= y else 1  # where x = y both are hit, and the smaller id is taken
+    return 0 if x >= y else 1  # both are hit where x = y; the smaller id wins
 
 
 def with_data(point_arrays="", cell_arrays="", mesh=SQUARE):
@@ -39,7 +39,7 @@ class PassTest(CommandTest):
 
     def setUp(self):
         super().setUp()
-        # x + 10 y at the points, 2 numbers at the cells, and one name at both.
+        # x + 10 y at the points, 2 numbers per cell, and one name at both.
         points = [x + 10 * y for x, y, _ in SQUARE[0]]
         self.write("square.vtp", with_data(
             xml_array("plane", "Float32", points) + xml_array("both", "Float32", [1, 1, 1, 1]) +
@@ -80,7 +80,7 @@ class TestFiles(PassTest):
             lambda x, y: ((1.0, 2.0, 3.0, 4.0), (5.0, 6.0, 7.0, 8.0))[cell(x, y)], (NAN,) * 4)),
     }
 
-    def test_tiff_and_vti_hold_what_the_pixels_see(self):
+    def test_tiff_and_vti_files_have_the_expected_values(self):
         for samples in ("1", "3"):
             passes = [("--pass", "%s=%s.tif" % (word, self.WANTED[word][0])) for word in self.WANTED]
             self.draw("-o", "x.png", "--supersampling", samples, *sum(passes, ()))
@@ -92,7 +92,7 @@ class TestFiles(PassTest):
                 self.assertEqual((list(arrays), scalars), ([name], name))
                 self.assert_rows(arrays[name], wanted)
 
-    def test_the_vti_holds_all_that_is_asked_for_and_no_more(self):
+    def test_a_vti_picture_holds_exactly_the_requested_passes(self):
         words = list(self.WANTED)
         for asked in (words, ["depth"], ["ids"], ["input-ids"], ["plane", "ids"], []):
             self.draw("-o", "x.vti", *sum((("--pass", word) for word in asked), ()))
@@ -103,24 +103,24 @@ class TestFiles(PassTest):
                 name, wanted = self.WANTED[word]
                 self.assert_rows(arrays[name], wanted)
 
-    def test_a_file_and_the_picture_may_both_hold_a_pass(self):
+    def test_a_pass_may_be_in_a_file_and_in_the_picture(self):
         self.draw("-o", "x.vti", "--pass", "depth=d.TIF", "--pass", "ids")
         self.assertEqual(set(self.vti("x.vti")[0]), {"Color", "Depth", "CellIds"})
         self.assert_rows(self.tiff("d.TIF"), self.WANTED["depth"][1])
 
-    def test_passes_change_no_bit_of_the_picture(self):
+    def test_passes_do_not_change_the_picture(self):
         self.draw("-o", "x.png")
         self.draw("-o", "y.png", "--pass", "depth=d.tif", "--pass", "plane=p.tif")
         self.assertEqual(self.read("x.png"), self.read("y.png"))  # nor its recorded command
         self.draw("-o", "-", "--pass", "depth=d.vti")
 
-    def test_doubles_are_rounded_in_a_tiff_only(self):
+    def test_doubles_are_rounded_only_in_tiff_files(self):
         self.draw("-o", "x.vti", "--pass", "doubles=d.tif")
         self.assertEqual(self.tiff("d.tif")[4][4], (0.10000000149011612,))
         self.assertEqual(self.vti("x.vti")[0]["doubles"][4][4], (0.1,))
 
-    def test_many_rows(self):
-        """More strips than one, the last of them shorter."""
+    def test_pictures_with_several_strips_are_written(self):
+        """Several strips, the last of which is shorter."""
         self.draw("-o", "x.vti", "--size", "300x301", "--pass", "positions=p.tif", "--pass",
                   "depth=d.tif")
         arrays, _ = self.vti("x.vti")
@@ -130,7 +130,7 @@ class TestFiles(PassTest):
 
 class TestInputs(PassTest):
 
-    def test_the_association_decides_between_two_arrays_of_a_name(self):
+    def test_a_prefix_selects_between_point_and_cell_arrays(self):
         self.draw("-o", "x.png", "--pass", "point:both=p.tif")
         self.draw("-o", "x.png", "--pass", "cell:both=c.tif")
         self.assert_rows(self.tiff("p.tif"), expected(lambda x, y: (1.0,), (NAN,)))
@@ -139,17 +139,17 @@ class TestInputs(PassTest):
         self.assertIn("--pass both: the inputs have a point array and a cell array of that name; "
                       "write point:both or cell:both", line)
 
-    def test_a_missing_array_is_an_error_that_lists_those_there_are(self):
+    def test_missing_arrays_are_errors_that_list_the_arrays(self):
         for word in ("none", "cell:plane", "point:region", "Plane"):
-            self.assertIn("--pass %s: no input has such an array; there are: point:both, "
+            self.assertIn("--pass %s: no input has such an array; the arrays are: point:both, "
                           "point:doubles, point:plane, cell:both, cell:four, cell:huge, cell:large, "
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
         self.write("bare.vtp", vtp(SQUARE))
-        self.assertIn("there are: none",
+        self.assertIn("the arrays are: none",
                       self.fail_with(1, "bare.vtp", "-o", "y.png", "--pass", "plane=b.tif"))
 
-    def test_an_input_without_the_array_has_no_values(self):
+    def test_inputs_without_the_array_are_nan(self):
         points, faces = SQUARE
         beside = [(x + 2, y, z) for x, y, z in points]
         self.write("beside.vtp", vtp((beside, faces)))
@@ -160,7 +160,7 @@ class TestInputs(PassTest):
         self.assertTrue(math.isnan(row[7][0]))
         self.assertEqual(self.tiff("i.tif")[4], [(v,) for v in (-1, -1, 1, 1, 1, 1, 0, 0)])
 
-    def test_legacy_files_have_all_of_their_arrays(self):
+    def test_all_arrays_of_legacy_files_are_read(self):
         points = [x for x, _, _ in SQUARE[0]]
         self.write("square.vtk", vtk_text(SQUARE) + "CELL_DATA 2\nSCALARS a float 1\n"
                    "LOOKUP_TABLE default\n1 2\nSCALARS b float 1\nLOOKUP_TABLE default\n3 4\n"
@@ -170,12 +170,12 @@ class TestInputs(PassTest):
         self.assert_rows(self.tiff("b.tif"), expected(lambda x, y: (3.0 + cell(x, y),), (NAN,)))
         self.assert_rows(self.tiff("w.tif"), expected(lambda x, y: (x, 0.0, 2.0), (NAN,) * 3))
 
-    def test_inputs_that_disagree_are_an_error(self):
+    def test_inputs_with_different_components_are_errors(self):
         self.write("other.vtp", with_data("", xml_array("region", "Float32", [1, 2, 3, 4], 2)))
         line = self.fail_with(1, "square.vtp", "other.vtp", "-o", "x.png", "--pass", "region=r.vti")
         self.assertIn("components", line)
 
-    def test_a_contour_carries_the_other_arrays(self):
+    def test_contours_keep_the_other_point_arrays(self):
         image = ("# vtk DataFile Version 3.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\n"
                  "DIMENSIONS 3 3 3\nORIGIN -1 -1 -1\nSPACING 1 1 1\nPOINT_DATA 27\n"
                  "SCALARS height float 1\nLOOKUP_TABLE default\n" + "0 " * 9 + "1 " * 9 + "2 " * 9 +
@@ -189,24 +189,25 @@ class TestInputs(PassTest):
 
 class TestRefusing(PassTest):
 
-    def test_wrong_usage(self):
+    def test_invalid_passes_are_refused(self):
         for value, words in (
-                ("depth", "names no file, such as depth=FILE.tif"), ("", "names no array"),
-                ("=x.tif", "names no array"), ("point:=x.tif", "names no array"),
+                ("depth", "needs a file, such as depth=FILE.tif"), ("", "needs a name"),
+                ("=x.tif", "needs a name"), ("point:=x.tif", "needs a name"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
-                ("depth=-", "'-' does not end in"), ("Normals=x.tif", "an array of the picture itself"),
-                ("cell:Color=x.tif", "rename the array of the input")):
+                ("depth=-", "'-' does not end in"),
+                ("Normals=x.tif", "an array that the picture itself has"),
+                ("cell:Color=x.tif", "to store an input's array of that name, rename it")):
             line = self.refuse(2, "-o", "x.png", "--pass", value)
             self.assertIn("--pass: ", line)
             self.assertIn(words, line)
         for first, second in (("depth", "depth"), ("plane", "point:plane"), ("point:b", "cell:b")):
-            self.assertIn("is asked for twice", self.refuse(
+            self.assertIn("is requested twice", self.refuse(
                 2, "-o", "x.png", "--pass", first + "=1.tif", "--pass", second + "=2.tif"))
 
-    def test_what_floats_cannot_hold(self):
+    def test_values_that_floats_cannot_hold_are_refused(self):
         for word, words in (
-                ("large", "the value 16777217 would be rounded to its 32-bit floats"),
-                ("huge", "is beyond the range of its 32-bit floats"),
+                ("large", "the value 16777217 would be rounded to the 32-bit floats of a .tif"),
+                ("huge", "is beyond the range of the 32-bit floats of a .tif"),
                 ("pair", "holds 1, 3 or 4 numbers per pixel, and this array has 2")):
             done = self.run_command("square.vtp", *VIEW, "-o", "y.png", "--pass", word + "=x.tif")
             self.assertEqual(done.returncode, 1)
@@ -232,11 +233,11 @@ class TestRefusing(PassTest):
                  "it is the pass depth")):
             self.assertIn(words, self.refuse(1, *arguments))
 
-    def test_places_are_checked_before_anything_is_written(self):
+    def test_missing_folders_are_errors_before_anything_is_written(self):
         line = self.refuse(1, "-o", "x.png", "--pass", "depth=nowhere/d.tif")
         self.assertIn("cannot write 'nowhere/d.tif': there is no folder 'nowhere'", line)
 
-    @unittest.skipIf("TSAN_OPTIONS" in os.environ, "the thread sanitizer writes files of its own")
+    @unittest.skipIf("TSAN_OPTIONS" in os.environ, "the thread sanitizer writes its own files")
     def test_a_full_disk_leaves_the_old_file(self):
         self.write("d.tif", "old")
         done = self.run_command("square.vtp", *VIEW, "-o", "-", "--pass", "depth=d.tif",
@@ -256,7 +257,7 @@ class TestTogether(PassTest):
         self.assert_rows(self.tiff("d.tif"), TestFiles.WANTED["depth"][1])
         self.succeed("--recreate", "x.png", "-o", "x.vti", "--pass", "plane")
         self.assertIn("plane", self.vti("x.vti")[0])
-        self.assertIn("names no file", self.fail_with(2, "--recreate", "x.png", "--pass", "depth"))
+        self.assertIn("needs a file", self.fail_with(2, "--recreate", "x.png", "--pass", "depth"))
 
     def test_a_comparison_can_have_passes(self):
         self.draw("-o", "base.png")
@@ -267,12 +268,12 @@ class TestTogether(PassTest):
         self.succeed("square.vtp", *VIEW, "--compare", "base.png", "-o", "x.vti", "--pass", "depth")
         self.assertEqual(set(self.vti("x.vti")[0]), {"Color", "Depth"})  # not the comparison's ids
 
-    def test_a_pass_is_a_baseline(self):
+    def test_passes_can_be_compared(self):
         self.draw("-o", "x.png", "--pass", "depth=a.vti")
         self.draw("-o", "x.png", "--pass", "depth=b.vti")
         self.assertIn(b"all of 64 pixels are the same", self.succeed("compare", "a.vti", "b.vti"))
 
-    def test_verbose_names_the_files(self):
+    def test_verbose_lists_the_files_of_passes(self):
         done = self.run_command("square.vtp", *VIEW, "-o", "x.png", "--pass", "depth=d.tif",
                                 "--verbose")
         self.assertIn("\npass       depth in %s\n" % os.path.realpath(self.path("d.tif")),
@@ -282,7 +283,7 @@ class TestTogether(PassTest):
 
 class TestExample(CommandTest):
 
-    def test_the_readme_s_commands(self):
+    def test_the_commands_of_the_readme_work(self):
         """Examples/CommandLine/passes.sh, which Rendering/CommandLine/README.md quotes."""
         os.symlink(os.path.join(ROOT, "Data"), self.path("Data"))
         os.mkdir(self.path("bin"))

@@ -53,7 +53,7 @@ class ProtectingTest(CompareTest):
 
 class TestBaselines(ProtectingTest):
 
-    def test_output_is_not_the_baseline(self):
+    def test_the_output_must_not_be_the_baseline(self):
         for name in self.spellings("base.png"):
             self.refuse("square.obj", "-o", name, "--compare", "base.png", kept=["base.png"],
                         words=["cannot write '%s': it is the baseline" % name,
@@ -61,7 +61,7 @@ class TestBaselines(ProtectingTest):
             self.refuse("square.obj", "-o", "base.png", "--compare", name, kept=["base.png"],
                         words=["cannot write 'base.png': it is the baseline"])
 
-    def test_a_baseline_that_is_missing_is_not_made_either(self):
+    def test_the_output_must_not_be_a_missing_baseline(self):
         os.symlink("new.png", self.path("link.png"))
         for output, baseline in (("new.png", "new.png"), ("./new.png", "new.png"),
                                  ("new.png", "folder/../new.png"), ("link.png", "new.png"),
@@ -70,7 +70,7 @@ class TestBaselines(ProtectingTest):
                         words=["it is the baseline"])
             self.assertFalse(os.path.exists(self.path("new.png")))
 
-    def test_difference_and_report_are_not_the_baseline(self):
+    def test_difference_and_report_must_not_be_the_baseline(self):
         for name in self.spellings("base.png"):
             self.refuse("square.obj", "--compare", "base.png", "--difference", name,
                         kept=["base.png"], words=["it is the baseline"])
@@ -86,7 +86,7 @@ class TestBaselines(ProtectingTest):
                                words=["cannot compare '%s' with " % name, "name two files"])
             self.assertIn("itself" if name == "base.png" else "they are the same file", line)
 
-    def test_names_that_only_look_alike_are_two(self):
+    def test_similar_names_are_different_files(self):
         os.mkdir(self.path("new"))
         self.compare(0, "square.obj", "-o", "new/base.png", "--compare", "expected.png", "--size",
                      "7x5", **UPDATE)
@@ -96,12 +96,12 @@ class TestBaselines(ProtectingTest):
 
 class TestOtherFiles(ProtectingTest):
 
-    def test_difference_is_not_the_picture(self):
+    def test_the_difference_must_not_be_the_picture(self):
         for name in self.spellings("other.png"):
             self.refuse("compare", "other.png", "base.png", "--difference", name,
                         kept=["base.png", "other.png"], words=["it is the picture to compare"])
 
-    def test_outputs_are_not_one_another(self):
+    def test_outputs_must_differ_from_each_other(self):
         os.symlink("x.png", self.path("y.png"))
         os.symlink("x.png", self.path("x.html"))
         for outputs in (("-o", "x.png", "--difference", "./x.png"),
@@ -111,7 +111,7 @@ class TestOtherFiles(ProtectingTest):
         self.refuse("compare", "other.png", "base.png", "--difference", "x.png", "--report", "x.html",
                     kept=["base.png"], words=["cannot write 'x.html': it is the difference, 'x.png'"])
 
-    def test_output_is_not_an_input(self):
+    def test_the_output_must_not_be_an_input(self):
         os.symlink("square.obj", self.path("x.png"))
         os.link(self.path("square.obj"), self.path("h.png"))
         for name in ("x.png", "h.png"):
@@ -119,7 +119,7 @@ class TestOtherFiles(ProtectingTest):
                 self.refuse("square.obj", *arguments, kept=["square.obj"],
                             words=["cannot write '%s': it is an input, 'square.obj'" % name])
 
-    def test_recreating(self):
+    def test_a_recreated_picture_may_replace_itself(self):
         self.succeed("square.obj", "-o", "p.png", "--size", "8x8")
         before = self.read("p.png")
         self.succeed("--recreate", "p.png", "-o", "p.png")  # on request
@@ -133,7 +133,7 @@ class TestOtherFiles(ProtectingTest):
 
 class TestUpdating(ProtectingTest):
 
-    def test_what_cannot_be_written_is_not_accepted(self):
+    def test_unwritable_baselines_are_not_accepted(self):
         self.write("floats.vti", vti([(0.25, 0.5, 1)]))
         os.mkdir(self.path("dir.png"))
         before = self.read("base.png")
@@ -146,13 +146,13 @@ class TestUpdating(ProtectingTest):
             self.assertEqual(self.read("base.png"), before)
         self.assertFalse(os.path.exists(self.path("new.png")))
 
-    def test_a_link_stays_one(self):
+    def test_a_symbolic_link_to_a_baseline_is_kept(self):
         os.symlink("../base.png", self.path("folder/link.png"))
         self.compare(0, "compare", "other.png", "folder/link.png", **UPDATE)
         self.assertTrue(os.path.islink(self.path("folder/link.png")))
         self.assertEqual(self.read("base.png"), self.read("other.png"))
 
-    def test_a_cut_baseline_is_an_error_and_stays(self):
+    def test_a_truncated_baseline_is_an_error_and_is_kept(self):
         self.write("base.png", grey(7, 5)[:-20])
         for arguments in (("compare", "same.png", "base.png"),
                           ("square.obj", "--compare", "base.png", "--size", "7x5"),

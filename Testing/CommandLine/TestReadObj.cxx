@@ -163,30 +163,30 @@ TEST(ReadObj, ColoursOfPoints)
 
 TEST(ReadObj, InvalidIndices)
 {
-  const std::string mend = "; correct the line, or get a whole copy";
-  ExpectFailure(Square + "f 1 2 5\n", "line 5 names point 5, but the file has 4 points (v)" + mend);
+  const std::string mend = "; correct the line, or use a complete copy";
+  ExpectFailure(Square + "f 1 2 5\n", "line 5 uses point 5, but the file has 4 points (v)" + mend);
   ExpectFailure(Square + "f 1 2 9\nf 1 2 7\nf 1 2 20\nv 0 0 0\n",
-    "line 5 names point 9, but the file has 5 points (v)" + mend);
+    "line 5 uses point 9, but the file has 5 points (v)" + mend);
   ExpectFailure(Square + "f 1 2 5\nf 1 2 6\nf 1 2 7\nv 0 0 0\nv 0 0 0\n",
-    "line 7 names point 7, but the file has 6 points (v)" + mend);
+    "line 7 uses point 7, but the file has 6 points (v)" + mend);
   ExpectFailure(Square + "f 0 1 2\n",
-    "line 5 names point 0, but indices count from 1; so far the file has 4 points (v)" + mend);
+    "line 5 uses point 0, but indices start at 1; so far the file has 4 points (v)" + mend);
   ExpectFailure("v 0 0 0\nf 1 1 -2\nv 0 0 0\n",
-    "line 2 names point -2, but before that line it has 1 point (v)" + mend);
+    "line 2 uses point -2, but before that line it has 1 point (v)" + mend);
   ExpectFailure(Square + "f 1 2 99999999999999999999\n",
-    "line 5 names point 9223372036854775807, but the file has 4 points (v)" + mend);
+    "line 5 uses point 9223372036854775807, but the file has 4 points (v)" + mend);
   ExpectFailure(Square + "f 1 2 4294967297\n",
-    "line 5 names point 4294967297, but the file has 4 points (v)" + mend);
-  ExpectFailure(Square + "f 1//1 2//1 3//1\n",
-    "line 5 names normal 1, but the file has no normals (vn)" + mend);
+    "line 5 uses point 4294967297, but the file has 4 points (v)" + mend);
+  ExpectFailure(
+    Square + "f 1//1 2//1 3//1\n", "line 5 uses normal 1, but the file has no normals (vn)" + mend);
   ExpectFailure(Square + "vt 0 0\nf 1/1 2/2 3/1\n",
-    "line 6 names texture coordinate 2, but the file has 1 texture coordinate (vt)" + mend);
+    "line 6 uses texture coordinate 2, but the file has 1 texture coordinate (vt)" + mend);
   ExpectFailure(Square + "vn 0 0 1\nf 1/1 2/2 3/1\n",
-    "line 6 names texture coordinate 1, but the file has no texture coordinates (vt)" + mend);
+    "line 6 uses texture coordinate 1, but the file has no texture coordinates (vt)" + mend);
   ExpectFailure(Square + "vn 0 0 1\nf 1//0 2//1 3//1\n",
-    "line 6 names normal 0, but indices count from 1; so far the file has 1 normal (vn)" + mend);
-  ExpectFailure(Square + "l 1 5\n", "line 5 names point 5, but the file has 4 points (v)" + mend);
-  ExpectFailure(Square + "f 1 5\n", "line 5 names point 5, but the file has 4 points (v)" + mend);
+    "line 6 uses normal 0, but indices start at 1; so far the file has 1 normal (vn)" + mend);
+  ExpectFailure(Square + "l 1 5\n", "line 5 uses point 5, but the file has 4 points (v)" + mend);
+  ExpectFailure(Square + "f 1 5\n", "line 5 uses point 5, but the file has 4 points (v)" + mend);
 }
 
 TEST(ReadObj, InvalidNumbers)

@@ -166,7 +166,7 @@ TEST(ReadPly, InvalidTriangleStrips)
     "lambent: warning: triangle strips of fewer than 3 points are skipped; it has 2 of them\n");
   EXPECT_EQ(CellsOf(outcome.mesh->GetStrips()), (Cells{ { 0, 1, 2 } }));
   EXPECT_EQ(ReadFrom(ReadPly, WithStrips("int int", "4 0 1 2 -2")).failure,
-    "triangle strip 0 names a vertex that does not exist");
+    "triangle strip 0 uses a vertex that does not exist");
   std::string text = WithStrips("int int", "3 0 1 2");
   text.replace(text.find("vertex_indices"), 14, "points");
   EXPECT_EQ(ReadFrom(ReadPly, text).failure, "its triangle strips have no list 'vertex_indices'");
@@ -199,7 +199,7 @@ TEST(ReadPly, ExtraDataAtTheEnd)
 {
   const Outcome text = ReadFrom(ReadPly, Text + "\n3 0 1\n");
   EXPECT_EQ(text.warnings,
-    "lambent: warning: ignored 6 bytes after the last element that its header names\n");
+    "lambent: warning: ignored 6 bytes after the last element that its header declares\n");
   EXPECT_EQ(text.mesh->GetNumberOfPolys(), 2);
   EXPECT_EQ(ReadFrom(ReadPly, Text + "\n \r\n\t").warnings, "");
   const std::string binary =
@@ -207,9 +207,9 @@ TEST(ReadPly, ExtraDataAtTheEnd)
     "property char y\nproperty char z\nend_header\nabc";
   EXPECT_EQ(ReadFrom(ReadPly, binary + "\n").warnings, "");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "d").warnings,
-    "lambent: warning: ignored 1 byte after the last element that its header names\n");
+    "lambent: warning: ignored 1 byte after the last element that its header declares\n");
   EXPECT_EQ(ReadFrom(ReadPly, binary + "de").warnings,
-    "lambent: warning: ignored 2 bytes after the last element that its header names\n");
+    "lambent: warning: ignored 2 bytes after the last element that its header declares\n");
 }
 
 TEST(ReadPly, EmptyFacesKeepTheirIds)

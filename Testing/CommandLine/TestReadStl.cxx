@@ -151,9 +151,9 @@ TEST(ReadStl, TextAfterTheSolid)
 TEST(ReadStl, IncompleteText)
 {
   ExpectFailure(Square.substr(0, Square.find("endsolid")),
-    "line 16: it is cut short: it ends where 'facet' or 'endsolid' is expected");
+    "line 16: it is incomplete: it ends where 'facet' or 'endsolid' is expected");
   ExpectFailure(Square.substr(0, Square.find("vertex 1 1")),
-    "line 6: it is cut short: it ends where 'vertex' is expected");
+    "line 6: it is incomplete: it ends where 'vertex' is expected");
   ExpectFailure(
     Square.substr(0, Square.find("vertex 1 1") + 10), "line 6: it ends where a number is expected");
   ExpectFailure(
@@ -192,10 +192,11 @@ TEST(ReadStl, BinaryCutAfterEachByte)
     }
   }
   ExpectFailure(Binary().substr(0, 84 + 99),
-    "it is cut short or not an STL file: it is too short for the 2 triangles that it declares; get "
-    "a whole copy of it");
+    "it is incomplete or not an STL file: it is too short for the 2 triangles that it declares; "
+    "use "
+    "a complete copy");
   ExpectFailure("no mesh",
-    "it is cut short or not an STL file: it is too short for a header; get a whole copy of it");
+    "it is incomplete or not an STL file: it is too short for a header; use a complete copy");
 }
 
 TEST(ReadStl, BinaryWithAWrongCount)

@@ -48,7 +48,7 @@ class TestReading(CommandTest):
         self.assertNotIn(".cxx", line)  # no source file of VTK
         return line
 
-    def test_every_kind_gives_the_same_picture(self):
+    def test_every_format_gives_the_same_picture(self):
         for shading in ("flat", "smooth"):
             pictures = {}
             for name, content in KINDS.items():
@@ -56,12 +56,12 @@ class TestReading(CommandTest):
                 pictures.setdefault(self.picture(name, "--shading", shading), []).append(name)
             self.assertEqual(len(pictures), 1, pictures.values())
 
-    def test_extensions_in_upper_case(self):
+    def test_extensions_may_be_in_upper_case(self):
         self.write("a.OBJ", make.obj(TETRAHEDRON))
         self.write("a.obj", make.obj(TETRAHEDRON))
         self.assertEqual(self.picture("a.OBJ"), self.picture("a.obj"))
 
-    def test_volumes_by_their_outer_surface(self):
+    def test_volumes_are_drawn_by_their_outer_surface(self):
         # Two adjacent cubes, each as a voxel; the wall between them is not drawn.
         points = CUBE + [(x + 1, y, z) for x, y, z in CUBE if x == 1]
         cells = [tuple(range(8)), (1, 8, 3, 9, 5, 10, 7, 11)]
@@ -84,7 +84,7 @@ class TestReading(CommandTest):
         self.assertEqual(self.picture("right.ply", "left.obj"), both)
         self.assertNotEqual(self.picture("left.obj"), both)
 
-    def test_double_coordinates_are_not_narrowed(self):
+    def test_double_coordinates_are_not_rounded_to_float(self):
         # 1e7 and beside it a triangle of size 1e-3: as floats all its points would coincide.
         points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
         self.write("far.ply", make.ply_text((points, [(0, 1, 2)]), "double"))
@@ -108,7 +108,7 @@ class TestReading(CommandTest):
             center = self.center("normals.ply", "--light", "direction=0,0,-1")
             self.assertEqual(center, (value, value, value))
 
-    def test_cut_short(self):
+    def test_truncated_files_are_errors(self):
         # TestBrokenFiles.cxx cuts more kinds after each byte, but only calls the readers.
         for name, content in KINDS.items():
             whole = content if isinstance(content, bytes) else content.encode()
@@ -125,7 +125,7 @@ class TestReading(CommandTest):
                     self.assertEqual(extension, ".obj")  # which has no counts
                 os.remove(self.path("x.pnm"))
 
-    def test_sizes_that_cannot_be(self):
+    def test_impossible_sizes_are_refused(self):
         # VTK's XML readers trust these, and crash.
         text = make.vtp(TETRAHEDRON)
         for old, new in (('NumberOfPolys="4"', 'NumberOfPolys="4611686018427387904"'),
@@ -133,9 +133,9 @@ class TestReading(CommandTest):
                          ("3 6 9 12", "3 6 9 4611686018427387904")):
             self.assertIn(old, text)
             self.write("wrong.vtp", text.replace(old, new))
-            self.assertIn("is impossible", self.fail_to_read("wrong.vtp"))
+            self.assertIn("is invalid", self.fail_to_read("wrong.vtp"))
 
-    def test_cells_of_another_type(self):
+    def test_cells_with_the_wrong_number_of_points_are_refused(self):
         tetrahedron = CUBE[:4], [(0, 1, 2, 3)]
         for cell_type, words in (
                 (12, "its cell 0 of type 12 (vtkHexahedron) has 4 points instead of 8; correct"),
@@ -149,9 +149,9 @@ class TestReading(CommandTest):
                 self.write(name, text)
                 line = self.fail_to_read(name)
                 self.assertIn(words, line)
-                self.assertNotIn("whole copy", line)  # a whole copy would have the same cell
+                self.assertNotIn("complete copy", line)  # a complete copy would have the same cell
 
-    def test_more_points_than_its_type_has(self):
+    def test_cells_with_too_many_points_are_refused(self):
         # The second of several cells.
         cells = [(0, 1, 2), (1, 2, 3, 0), (0, 1, 3)]
         for name, text in (("wrong.vtk", make.vtk_grid(CUBE, cells, 5)),
@@ -160,7 +160,7 @@ class TestReading(CommandTest):
             self.assertIn("its cell 1 of type 5 (vtkTriangle) has 4 points instead of 3",
                           self.fail_to_read(name))
 
-    def test_polyhedra_without_faces(self):
+    def test_polyhedra_without_faces_are_refused(self):
         # VTK's filters follow the list of faces without checks.
         self.write("wrong.vtu", make.vtu(CUBE, [(0, 1, 2, 4)], 42))
         self.assertIn("its cell 0 of type 42 (vtkPolyhedron) has no faces; correct",
@@ -170,7 +170,7 @@ class TestReading(CommandTest):
             self.assertIn("faces" if stream[-1] != 9 else "point 9, which does not exist",
                           self.fail_to_read("wrong.vtk"))
 
-    def test_as_many_types_as_cells(self):
+    def test_wrong_numbers_of_cell_types_are_refused(self):
         text = make.vtk_grid(CUBE, [tuple(range(8))] * 2, VOXEL)
         for types, words in (("1\n11\n", "2 CELLS and 1 CELL_TYPES"),
                              ("3\n11\n11\n11\n", "2 CELLS and 3 CELL_TYPES"),
@@ -178,7 +178,7 @@ class TestReading(CommandTest):
             self.write("wrong.vtk", text[:text.index("CELL_TYPES ") + 11] + types)
             self.assertIn(words, self.fail_to_read("wrong.vtk"))
 
-    def test_a_list_on_the_line_of_its_keyword(self):
+    def test_a_list_may_begin_on_the_line_of_its_keyword(self):
         text = make.vtk_text(TETRAHEDRON)
         picture = self.picture(self.write("lines.vtk", text))
         at = text.index("POLYGONS")
@@ -189,20 +189,20 @@ class TestReading(CommandTest):
         self.write("line.vtk", text[:at] + text[at:].replace("\n", " "))
         self.assertEqual(self.picture("line.vtk"), picture)
 
-    def test_a_list_of_another_length(self):
+    def test_lists_of_the_wrong_length_are_refused(self):
         text = make.vtk_text(TETRAHEDRON)
         for size, words in ((15, "at cell 3 of 4 of its POLYGONS"),
-                            (17, "has 16 numbers, but its first line says 17; correct that line"),
+                            (17, "has 16 numbers, but its first line declares 17; correct that line"),
                             (99999, "too small for the count of 99999")):
             self.write("wrong.vtk", text.replace("POLYGONS 4 16", "POLYGONS 4 %d" % size))
             self.assertIn(words, self.fail_to_read("wrong.vtk"))
 
-    def test_a_word_that_is_no_keyword(self):
+    def test_unknown_keywords_are_refused(self):
         self.write("wrong.vtk", make.vtk_text(TETRAHEDRON) + "TEXTURES 4\n")
         self.assertIn("it has 'textures' where a keyword such as POINTS is expected; correct",
                       self.fail_to_read("wrong.vtk"))
 
-    def test_data_for_another_count(self):
+    def test_data_of_the_wrong_length_is_refused(self):
         text = make.vtk_text(TETRAHEDRON)
         for data, words in (("POINT_DATA 5\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4 5\n",
                              "POINT_DATA for 5 points, but 4 points; correct"),
@@ -211,7 +211,7 @@ class TestReading(CommandTest):
             self.write("wrong.vtk", text + data)
             self.assertIn(words, self.fail_to_read("wrong.vtk"))
 
-    def test_a_last_line_that_is_not_ended_is_whole(self):
+    def test_the_last_line_end_may_be_missing(self):
         for name, text in (("a.vtk", make.vtk_text(TETRAHEDRON)),
                            ("b.vtk", make.vtk_grid(CUBE, [tuple(range(8))], VOXEL)),
                            ("c.vtp", make.vtp(TETRAHEDRON)),
@@ -220,7 +220,7 @@ class TestReading(CommandTest):
             self.write(name, text.rstrip("\n"))
             self.assertEqual(self.picture(name), expected)  # without any message
 
-    def test_another_type_inside(self):
+    def test_files_of_another_vtk_type_are_refused(self):
         multiblock = ('<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
                       '<DataSet index="0" file="a.vtp"/></vtkMultiBlockDataSet></VTKFile>\n')
         grid = make.vtu(CUBE, [tuple(range(8))], VOXEL)
@@ -240,7 +240,7 @@ class TestReading(CommandTest):
             self.assertIn(words, line)
             self.assertNotRegex(line, "whole|complete")
 
-    def test_keywords_in_small_letters(self):
+    def test_keywords_may_be_in_lower_case(self):
         # VTK's reader accepts these; there is also a title that looks like the line after it.
         for content in (make.vtk_text(TETRAHEDRON).replace("ASCII", "ascii"),
                         make.vtk_binary(TETRAHEDRON).replace(b"test\n", b"ASCII\n")):
@@ -250,7 +250,7 @@ class TestReading(CommandTest):
             self.write("small.vtk", content[:-6])
             self.assertIn("at cell 3 of 4", self.fail_to_read("small.vtk"))
 
-    def test_cut_short_behind_the_cells(self):
+    def test_truncation_after_the_cells_is_an_error(self):
         # VTK's reader only warns of this and continues.
         normals = "POINT_DATA 4\nNORMALS n float\n" + "0 0 1\n" * 4
         self.write("cut.vtk", make.vtk_text(TETRAHEDRON) + normals[:-9])
@@ -258,7 +258,7 @@ class TestReading(CommandTest):
         self.write("cut.vtk", make.vtk_text(TETRAHEDRON) + normals)
         self.picture("cut.vtk")
 
-    def test_not_a_mesh(self):
+    def test_files_that_are_not_meshes_are_errors(self):
         for extension in (".vtp", ".vtu", ".vtk", ".ply", ".stl", ".obj"):
             self.write("text" + extension, "Dear reader,\nthis is a letter.\n" * 20)
             self.fail_to_read("text" + extension)
@@ -267,13 +267,13 @@ class TestReading(CommandTest):
             self.write("empty" + extension, b"")
             self.assertIn("empty", self.fail_to_read("empty" + extension))
 
-    def test_a_kind_under_the_name_of_another(self):
+    def test_wrong_extensions_are_errors(self):
         self.write("mesh.ply", make.stl_binary(TETRAHEDRON))
         self.assertIn("'ply'", self.fail_to_read("mesh.ply"))
         self.write("mesh.vtp", make.vtu(CUBE, [tuple(range(8))], VOXEL))
         self.fail_to_read("mesh.vtp")
 
-    def test_no_such_file(self):
+    def test_missing_files_are_errors(self):
         self.assertIn("no such file", self.fail_to_read("missing.ply"))
         os.mkdir(self.path("folder.ply"))
         self.assertIn("folder", self.fail_to_read("folder.ply"))
@@ -283,12 +283,12 @@ class TestReading(CommandTest):
         self.fail_to_read("pipe.ply")
 
     @unittest.skipIf(os.geteuid() == 0, "root may read everything")
-    def test_unreadable(self):
+    def test_unreadable_files_are_errors(self):
         self.write("secret.ply", make.ply_text(SQUARE))
         os.chmod(self.path("secret.ply"), 0)
         self.assertIn("ermission", self.fail_to_read("secret.ply"))
 
-    def test_points_that_do_not_exist(self):
+    def test_missing_points_are_refused(self):
         wrong = SQUARE[0], [(0, 1, 2), (0, 2, 4)]
         negative = SQUARE[0], [(0, 1, 2), (0, 2, -1)]
         for name, content in (("a.ply", make.ply_text(wrong)), ("b.ply", make.ply_text(negative)),
@@ -299,10 +299,10 @@ class TestReading(CommandTest):
             line = self.fail_to_read(name)
             self.assertIn("does not exist", line)
             if name[-4:] in (".vtp", ".vtk", ".vtu"):
-                self.assertRegex(line, "its (polygon 1|cell 0) names point (4|-1|8), .* the file "
+                self.assertRegex(line, "its (polygon 1|cell 0) uses point (4|-1|8), .* the file "
                                  "has (4|8) points, numbered from 0; correct it")
 
-    def test_counts_that_no_file_could_hold(self):
+    def test_impossible_counts_are_refused(self):
         text = make.ply_text(SQUARE)
         for old, new in (("vertex 4", "vertex 4000000000"), ("face 2", "face 1e18"),
                          ("face 2", "face 99999999999999999999"), ("vertex 4", "vertex -4"),
@@ -314,12 +314,12 @@ class TestReading(CommandTest):
             self.write("wrong.ply", text.replace(old, new))
             self.fail_to_read("wrong.ply")
 
-    def test_the_first_bad_input_is_named(self):
+    def test_the_first_invalid_input_is_reported(self):
         self.write("good.obj", make.obj(SQUARE))
         line = self.fail_with(1, "good.obj", "bad.obj", "worse.obj", "-o", "x.png")
         self.assertIn("'bad.obj'", line)
 
-    def test_no_polygons_give_the_background(self):
+    def test_files_without_polygons_show_the_background(self):
         self.write("points.ply", make.ply_text((SQUARE[0], [])))
         done = self.run_command("points.ply", "-o", "x.pnm", "--size", "3x3",
                                 "--background", "1,0,0")
@@ -331,7 +331,7 @@ class TestReading(CommandTest):
 
 class TestDragon(CommandTest):
 
-    def test_dragon(self):
+    def test_the_dragon_is_read(self):
         dragon = os.path.join(os.environ.get("LAMBENT_SHARED_DATA_DIR", ""), "dragon.ply")
         if not os.path.exists(dragon):
             self.skipTest("there is no dragon.ply here")

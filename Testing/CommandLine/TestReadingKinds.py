@@ -44,7 +44,7 @@ class TestReadingKinds(CommandTest):
         self.assertEqual(line[:len(start)], start)
         return line[len(start):]
 
-    def test_faces_that_cover_the_whole_square(self):
+    def test_all_kinds_of_faces_are_read(self):
         plain = "f 1 2 3\nf 2 4 3\n"
         contents = {
             "plain.obj": CORNERS + plain,
@@ -77,7 +77,7 @@ class TestReadingKinds(CommandTest):
                     rows = self.pixels(name, *FACE_ON, "--shading", shading)
                     self.assertEqual(rows, [[WHITE] * 9] * 9)
 
-    def test_smoothing_groups_are_normals(self):
+    def test_smoothing_groups_become_normals(self):
         # s 1 across the ridge has the effect of the same normals as vn; without either the picture differs.
         faces = "f 1 2 4 3\nf 2 1 5 6\n"
         view = ("--direction", "0.3,0,1", "--size", "32x32", "--light", "direction=0,-1,-1")
@@ -92,7 +92,7 @@ class TestReadingKinds(CommandTest):
         self.assertEqual(flat, self.picture("flat.obj", ROOF + faces, *view, "--shading", "flat"))
         self.assertNotEqual(smooth, flat)
 
-    def test_no_crack_where_points_have_several_normals(self):
+    def test_points_with_several_normals_leave_no_crack(self):
         # Each corner has its own normal, but all are the same, so no pixel differs.
         points, faces = TETRAHEDRON
         text = make.obj((points, [])) + "".join("vn 0 0 1\n" for _ in range(12))
@@ -103,7 +103,7 @@ class TestReadingKinds(CommandTest):
                              for face in faces)
         self.assertEqual(self.picture("own.obj", own), self.picture("one.obj", one))
 
-    def test_double_coordinates_of_text(self):
+    def test_coordinates_in_text_are_doubles(self):
         # 1e7 and beside it a triangle of size 1e-3: as floats all its points would coincide.
         points = [(1e7, 1e7, 0.0), (1e7 + 1e-3, 1e7, 0.0), (1e7, 1e7 + 1e-3, 0.0)]
         view = ("--camera-position", "10000000.00025,10000000.00025,1", "--focal-point",
@@ -112,30 +112,30 @@ class TestReadingKinds(CommandTest):
             self.write(name, writer((points, [(0, 1, 2)])))
             self.assertEqual(self.pixels(name, *view), [[WHITE] * 9] * 9)
 
-    def test_indices_that_name_nothing(self):
-        end = "; correct the line, or get a whole copy"
+    def test_invalid_indices_are_refused(self):
+        end = "; correct the line, or use a complete copy"
         for text, line in (
-                ("f 1//1 2//1 3//1\n", "line 5 names normal 1, but the file has no normals (vn)"),
+                ("f 1//1 2//1 3//1\n", "line 5 uses normal 1, but the file has no normals (vn)"),
                 ("vn 0 0 1\nf 1//1 2//9 3//40\n",
-                 "line 6 names normal 9, but the file has 1 normal (vn)"),
-                ("f 1/1 2/2 3/3\n", "line 5 names texture coordinate 1, but the file has no texture "
+                 "line 6 uses normal 9, but the file has 1 normal (vn)"),
+                ("f 1/1 2/2 3/3\n", "line 5 uses texture coordinate 1, but the file has no texture "
                                     "coordinates (vt)"),
-                ("f 1 2 5\n", "line 5 names point 5, but the file has 4 points (v)"),
-                ("f 0 1 2\n", "line 5 names point 0, but indices count from 1; so far the file has "
+                ("f 1 2 5\n", "line 5 uses point 5, but the file has 4 points (v)"),
+                ("f 0 1 2\n", "line 5 uses point 0, but indices start at 1; so far the file has "
                               "4 points (v)"),
-                ("f 1 2 -5\n", "line 5 names point -5, but before that line it has 4 points (v)")):
+                ("f 1 2 -5\n", "line 5 uses point -5, but before that line it has 4 points (v)")):
             self.assertEqual(self.failure("wrong.obj", CORNERS + text), line + end)
 
-    def test_numbers_that_are_none(self):
+    def test_invalid_numbers_are_refused(self):
         self.assertEqual(self.failure("wrong.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n"),
                          "line 2: 'nan' is not a finite number")
         text = make.stl_text(TETRAHEDRON)
         self.assertEqual(self.failure("wrong.stl", text.replace("vertex 2", "vertex two", 1)),
                          "line 6: found 'two' where a number is expected")
         self.assertEqual(self.failure("cut.stl", text[:text.rindex("vertex")]),
-                         "line 27: it is cut short: it ends where 'vertex' is expected")
+                         "line 27: it is incomplete: it ends where 'vertex' is expected")
 
-    def test_what_is_left_out_is_counted(self):
+    def test_skipped_elements_are_counted(self):
         lines = self.warnings("few.obj", CORNERS + "f 1 2\nf 1 2 3\nf 3\n")
         self.assertEqual(lines, ["lambent: warning: 'few.obj': faces (f) of fewer than 3 points and "
                                  "lines (l) of fewer than 2 are skipped; it has 2 of them"])
@@ -148,14 +148,14 @@ class TestReadingKinds(CommandTest):
             "whole.ply", faces + "3 0 1 2\n3 1 3 2\n", "--size", "9x9"))
         lines = self.warnings("rest.ply", faces + "3 0 1 2\n3 1 3 2\n3 0 1 3\n")
         self.assertEqual(lines, ["lambent: warning: 'rest.ply': ignored 8 bytes after the last "
-                                 "element that its header names"])
+                                 "element that its header declares"])
 
-    def test_a_mere_missing_line_end_is_no_warning(self):
+    def test_a_missing_last_line_end_causes_no_warning(self):
         for name, content in (("end.obj", make.obj(SQUARE)), ("end.ply", make.ply_text(SQUARE)),
                               ("end.stl", make.stl_text(SQUARE))):
             self.assertEqual(self.warnings(name, content[:-1]), [])
 
-    def test_points_and_lines_alone(self):
+    def test_files_without_polygons_cause_a_warning(self):
         last = ", and no polygons; Lambent draws only polygons so far"
         for name, content, holds in (
                 ("points.obj", CORNERS, "4 points"),

@@ -63,7 +63,7 @@ class TestRecreating(CommandTest):
         self.succeed("square.obj", "it's a tetrahedron, é.obj", "-o", "a.png", *arguments)
         return self.read("a.png")
 
-    def test_text(self):
+    def test_the_stored_command_is_complete(self):
         text = texts(self.draw("--threads", "1", "--size", "16x9", "--color", "0.5,0.5,1", "--light",
                                "direction=0,0,-1;color=red"))
         self.assertEqual(text, {
@@ -72,18 +72,18 @@ class TestRecreating(CommandTest):
                          "--color 0.5,0.5,1 "
                          "--light 'direction=0,0,-1;color=red' --size 16x9 --supersampling 3"})
 
-    def test_contract_is_the_current_one(self):
+    def test_the_stored_contract_is_current(self):
         version = self.succeed("--version").decode()
         self.assertIn("image contract %s," % texts(self.draw())[CONTRACT], version)
 
-    def test_the_same_file_again(self):
+    def test_recreating_gives_the_same_file(self):
         for scene in SCENES:
             drawn = self.draw(*scene)
             self.succeed("--recreate", "a.png", "-o", "b.png", "--threads", "2")
             self.assertEqual(self.read("b.png"), drawn, scene)
             self.assertEqual(self.succeed("--recreate", "a.png", "-o", "-"), drawn, scene)
 
-    def test_a_shell_draws_the_same_file(self):
+    def test_the_stored_command_works_in_a_shell(self):
         drawn = self.draw(*SCENES[2])
         os.mkdir(self.path("bin"))
         os.symlink(os.environ["LAMBENT_COMMAND"], self.path("bin/lambent"))
@@ -93,7 +93,7 @@ class TestRecreating(CommandTest):
         self.assertEqual(self.read("b.png"), drawn)
 
     # Older versions of the command had another default and did not record it.
-    def test_a_picture_that_does_not_name_its_view_is_seen_from_plus_z(self):
+    def test_pictures_without_a_stored_view_look_from_plus_z(self):
         for more in ("", " --parallel-scale 1.5 --focal-point 0.5,0,0"):
             drawn = self.draw("--size", "30x20", "--direction", "0,0,1", *more.split())
             command = texts(drawn)[COMMAND_KEY].replace(" --direction 0,0,1", "")
@@ -107,7 +107,7 @@ class TestRecreating(CommandTest):
             self.assertEqual(self.read("b.png"), drawn)
 
     # Older versions of the command used one sample per pixel and did not record the number.
-    def test_a_picture_that_does_not_name_its_samples_has_one(self):
+    def test_pictures_without_stored_supersampling_have_one_sample(self):
         drawn = self.draw("--size", "30x20", "--supersampling", "1")
         command = texts(drawn)[COMMAND_KEY].replace(" --supersampling 1", "")
         self.assertNotIn("supersampling", command)
@@ -116,7 +116,7 @@ class TestRecreating(CommandTest):
         self.succeed("--recreate", "a.png", "-o", "b.png")
         self.assertEqual(self.read("b.png"), drawn)
 
-    def test_the_view_is_named_in_every_picture(self):
+    def test_every_picture_stores_its_view(self):
         for arguments, view in (((), "--direction 2,1.5,4"),
                                 (("--focal-point", "1,0,0"), "--direction 2,1.5,4"),
                                 (("--direction", "0,2,1"), "--direction 0,2,1"),
@@ -133,15 +133,15 @@ class TestRecreating(CommandTest):
         self.assertEqual(done.returncode, 1)
         self.assertIn(b"pixels differ", done.stdout)
 
-    def test_another_contract_is_a_warning(self):
+    def test_a_different_contract_causes_a_warning(self):
         self.write("c.png", with_text(self.draw("--size", "9x9"), CONTRACT, "7"))
         done = self.run_command("--recreate", "c.png", "-o", "b.png")
         self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr.decode(), r"warning: 'c.png' was drawn under image contract 7, "
+        self.assertRegex(done.stderr.decode(), r"warning: 'c.png' was rendered under image contract 7, "
                                                r"but this version has \d+; bits may differ")
         self.succeed("--recreate", "c.png", "-o", "b.png", "--quiet")
 
-    def test_bad_texts(self):
+    def test_invalid_stored_commands_are_refused(self):
         drawn = self.draw("--size", "9x9")
         for value in ("", "lambent", "ls -l", "lambent square.obj -o x.png --size 9x9",
                       "lambent compare a.png a.png", "lambent --help", "lambent --recreate a.png",
@@ -151,12 +151,12 @@ class TestRecreating(CommandTest):
                           self.fail_with(1, "--recreate", "c.png", "-o", "b.png"), value)
         for key in (CONTRACT, COMMAND_KEY):
             self.write("c.png", with_text(drawn, key, None))
-            self.assertIn("does not record", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
+            self.assertIn("does not store", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.write("c.png", drawn[:-20])
         self.assertIn("not a complete PNG file", self.fail_with(1, "--recreate", "c.png", "-o", "b.png"))
         self.assertIn("no such file", self.fail_with(1, "--recreate", "none.png"))
 
-    def test_wrong_usage(self):
+    def test_other_options_are_refused(self):
         for extra in (("square.obj",), ("--size", "9x9"), ("--color", "red"), ("--compare", "a.png")):
             self.assertIn("--recreate", self.fail_with(2, "--recreate", "a.png", *extra))
         self.assertIn("--recreate", self.fail_with(2, "--recreate", "a.jpg"))

@@ -45,7 +45,7 @@ class TestTalking(CommandTest):
     LONG = ("square.obj", "-o", "x.png", "--size", "7000x7000", "--threads", "1")
     SHORT = ("square.obj", "-o", "x.png", "--size", "70x70")
 
-    def test_progress_bar_on_a_terminal(self):
+    def test_a_progress_bar_is_shown_on_a_terminal(self):
         shown = self.on_terminal(*self.LONG)
         steps = shown.split(ERASE)
         self.assertEqual(steps[0], "")
@@ -55,16 +55,16 @@ class TestTalking(CommandTest):
             self.assertRegex(step, r"\A(\[#* *\] +\d+ % [a-z].*)?\Z")
         self.assertNotIn("\n", shown)
 
-    def test_no_bar_for_short_work(self):
+    def test_no_progress_bar_for_short_work(self):
         self.assertEqual(self.on_terminal(*self.SHORT), "")
 
-    def test_no_bar_when_quiet(self):
+    def test_no_progress_bar_with_quiet(self):
         self.assertEqual(self.on_terminal(*self.LONG, "--quiet"), "")
 
-    def test_no_bar_in_a_pipe(self):
+    def test_no_progress_bar_in_a_pipe(self):
         self.assertEqual(self.succeed(*self.LONG), b"")
 
-    def test_verbose(self):
+    def test_verbose_reports_steps_and_times(self):
         done = self.run_command(*self.SHORT, "--verbose")
         self.assertEqual((done.returncode, done.stdout), (0, b""))
         text = done.stderr.decode()
@@ -79,7 +79,7 @@ class TestTalking(CommandTest):
                          r"rendering  \d+\.\d ms\n"
                          r"writing    \d+\.\d ms\n\Z")
 
-    def test_polygons_count_as_triangles(self):
+    def test_polygons_are_counted_as_triangles(self):
         self.write("quad.obj", obj((SQUARE[0], [(0, 1, 2, 3)])))
         done = self.run_command("quad.obj", "square.obj", "-o", "x.png", "--verbose")
         self.assertIn(b"\ntriangles  4\n", done.stderr)
@@ -95,7 +95,7 @@ class TestTalking(CommandTest):
             self.assertRegex(done.stderr, rb"\Alambent: warning: .*finite")
             self.assertEqual(self.succeed(*arguments, "--quiet"), b"")
 
-    def test_a_feature_angle_without_effect_is_said_unless_quiet(self):
+    def test_a_feature_angle_without_effect_causes_a_warning_unless_quiet(self):
         points, faces = SQUARE
         self.write("normals.obj", "".join("v %r %r %r\n" % p for p in points) + "vn 0 0 1\n" +
                    "".join("f " + " ".join(f"{i + 1}//1" for i in face) + "\n" for face in faces))
@@ -105,17 +105,17 @@ class TestTalking(CommandTest):
         picture = ("-o", "x.png", "--size", "9x9")
         angle = ("--feature-angle", "30")
         said = "lambent: warning: --feature-angle has no effect"
-        own = said + (": all meshes have point normals; leave it out, or remove the normals from the "
+        own = said + (": all meshes have point normals; omit it, or remove the normals from the "
                       "files\n")
         for arguments, expected in (
                 (("normals.obj", *angle), own),
                 (("normals.obj", "normals.obj", *angle), own),
                 (("square.obj", "--shading", "flat", *angle),
-                 said + " with --shading flat; leave one of them out\n"),
+                 said + " with --shading flat; omit one of them\n"),
                 (("square.obj", "--shading", "unlit", *angle),
-                 said + " with --shading unlit; leave one of them out\n"),
+                 said + " with --shading unlit; omit one of them\n"),
                 (("cubes.vtk", "--contour", "0.5", *angle), said + ": the contour has its own "
-                 "normals, from the array's gradient; leave it out\n")):
+                 "normals, from the array's gradient; omit it\n")):
             done = self.run_command(*arguments, *picture)
             self.assertEqual((done.returncode, done.stderr.decode()), (0, expected))
             self.succeed(*arguments, *picture, "--quiet")
@@ -129,7 +129,7 @@ class TestTalking(CommandTest):
         self.succeed("square.obj", *angle, *picture)
         self.succeed("square.obj", "normals.obj", *angle, *picture)
 
-    def test_errors_are_said_even_when_quiet(self):
+    def test_errors_are_printed_even_with_quiet(self):
         self.fail_with(1, "missing.obj", "-o", "x.png", "--quiet")
         self.fail_with(1, "missing.obj", "-o", "x.png", "--verbose")
 

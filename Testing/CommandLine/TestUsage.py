@@ -16,7 +16,7 @@ class TestUsage(CommandTest):
     def reject(self, *arguments):
         return self.fail_with(2, "square.obj", "-o", "x.png", *arguments)
 
-    def test_help_and_version(self):
+    def test_help_and_version_are_printed(self):
         text = self.succeed("--help").decode()
         for option in ("--output", "--size", "--supersampling", "--camera-position", "--focal-point", "--view-up",
                        "--view-angle", "--parallel-scale", "--direction", "--zoom", "--light",
@@ -28,19 +28,19 @@ class TestUsage(CommandTest):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 
-    def test_missing_and_unknown(self):
+    def test_missing_and_unknown_options_are_refused(self):
         self.fail_with(2)
         self.assertIn("--output", self.fail_with(2, "square.obj"))
         self.assertIn("INPUT", self.fail_with(2, "-o", "x.png"))
         self.assertIn("--nonsense", self.reject("--nonsense"))
         self.assertIn("--size", self.reject("--size"))
 
-    def test_size(self):
+    def test_invalid_sizes_are_refused(self):
         for size in ("0x0", "0x5", "5x0", "-5x5", "5", "5x", "x5", "5x5x5", "axb", "5.5x5", "",
                      "nanxnan", "5 x5", "99999999999x1"):
             self.assertIn("--size", self.reject("--size", size))
 
-    def test_size_beyond_memory(self):
+    def test_sizes_beyond_memory_are_errors(self):
         line = self.fail_with(1, "square.obj", "-o", "x.png", "--size", "1000000x1000000")
         self.assertIn("1000000", line)
 
@@ -63,13 +63,13 @@ class TestUsage(CommandTest):
         for option in ("--view-up", "--direction"):
             self.assertIn(option, self.reject(option, "0,0,0"))
 
-    def test_colors(self):
+    def test_invalid_colors_are_refused(self):
         for option in ("--color", "--ambient-color", "--background"):
             for value in ("nosuchcolour", "#12345", "#1234567", "#gggggg", "1,0", "2,0,0",
                           "-0.1,0,0", "nan,0,0", ""):
                 self.assertIn(option, self.reject(option, value))
 
-    def test_lights(self):
+    def test_invalid_lights_are_refused(self):
         for light in ("", "0,0,1", "color=red", "position=1,2", "position=nan,0,0",
                       "direction=0,0,0", "position=0,0,1;direction=0,0,1", "position=0,0,1;size=2",
                       "position=0,0,1;intensity=-1", "position=0,0,1;intensity=inf",
@@ -77,22 +77,22 @@ class TestUsage(CommandTest):
                       "position=0,0,1;color=nosuchcolour", "position=0,0,1;attenuation=1"):
             self.assertIn("--light", self.reject("--light", light))
 
-    def test_words(self):
+    def test_unknown_words_are_refused(self):
         self.assertIn("--shading", self.reject("--shading", "phong"))
         self.assertIn("--ambient-model", self.reject("--ambient-model", "lights"))
 
-    def test_contradictions(self):
+    def test_contradictory_options_are_refused(self):
         self.reject("--camera-position", "0,0,5", "--direction", "0,0,1")
         self.reject("--view-angle", "20", "--parallel-scale", "2")
         self.reject("--quiet", "--verbose")
 
-    def test_output_extension(self):
+    def test_unknown_output_extensions_are_refused(self):
         for name in ("x", "x.gif", "x.png.txt", ".png", ""):
             line = self.fail_with(2, "square.obj", "-o", name)
             self.assertIn(".png .jpg", line)
             self.assertIn("'" + name + "'", line)
 
-    def test_negative_numbers_and_order(self):
+    def test_negative_numbers_and_any_order_are_accepted(self):
         first = self.succeed("square.obj", "-o", "-", "--size", "8x8",
                              "--camera-position", "-.5,0,-5", "--view-up", "-0.5,-1,0")
         second = self.succeed("--view-up=-0.5,-1,0", "--camera-position=-.5,0,-5",

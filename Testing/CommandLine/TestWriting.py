@@ -29,7 +29,7 @@ class TestWriting(CommandTest):
         self.assertIn("cannot write '" + name + "': ", line)
         return line
 
-    def test_kinds(self):
+    def test_every_format_is_written(self):
         starts = {"x.png": b"\x89PNG\r\n\x1a\n", "x.jpg": b"\xff\xd8\xff", "x.jpeg": b"\xff\xd8\xff",
                   "x.tif": b"II*\0", "x.tiff": b"II*\0", "x.bmp": b"BM", "x.pnm": b"P6\n",
                   "x.ppm": b"P6\n", "x.vti": b"<VTKFile"}
@@ -41,7 +41,7 @@ class TestWriting(CommandTest):
             self.assertEqual(self.read(name.upper()), content)
         self.assertEqual(self.files(), sorted([*starts, *map(str.upper, starts), "mesh.obj"]))
 
-    def test_pixels_are_the_same_in_every_kind(self):
+    def test_pixels_are_the_same_in_every_format(self):
         self.draw("x.pnm", "--feature-angle", "180")
         rows = read_pnm(self.read("x.pnm"))
         flat = b"".join(bytes(pixel) for row in rows for pixel in row)
@@ -57,12 +57,12 @@ class TestWriting(CommandTest):
         self.assertEqual(self.draw("-"), self.read("x.png"))
         self.assertEqual(struct.unpack(">II", self.read("x.png")[16:24]), (64, 48))
 
-    def test_standard_output_gets_the_picture_alone(self):
+    def test_standard_output_gets_only_the_picture(self):
         self.draw("x.png")
         done = self.run_command("mesh.obj", "-o", "-", *SIZE, "--verbose")
         self.assertEqual((done.returncode, done.stdout), (0, self.read("x.png")))
 
-    def test_a_pipe_that_is_full(self):
+    def test_a_full_pipe_is_an_error(self):
         with open("/dev/full", "wb") as full:
             done = subprocess.run([COMMAND, "mesh.obj", "-o", "-"], cwd=self.folder, stdout=full,
                                   stderr=subprocess.PIPE)
@@ -80,7 +80,7 @@ class TestWriting(CommandTest):
         self.assertEqual(done.stderr.decode(), "lambent: cannot write to standard output: it is a "
                                                "terminal; send it to a file or a pipe\n")
 
-    def test_an_existing_picture_is_replaced_whole(self):
+    def test_an_existing_picture_is_replaced_completely(self):
         self.write("x.png", "old")
         os.chmod(self.path("x.png"), 0o640)
         self.draw("x.png")
@@ -88,7 +88,7 @@ class TestWriting(CommandTest):
         self.assertEqual(os.stat(self.path("x.png")).st_mode & 0o777, 0o640)
         self.assertEqual(self.files(), ["mesh.obj", "x.png"])
 
-    def test_a_link_stays_a_link(self):
+    def test_a_symbolic_link_is_kept(self):
         os.mkdir(self.path("there"))
         self.write("there/x.png", "old")
         os.symlink("there/x.png", self.path("x.png"))
@@ -104,7 +104,7 @@ class TestWriting(CommandTest):
         self.fail_with(2, "mesh.obj", "-o", "x.png", "--size", "0x0")
         self.assertEqual(self.read("x.png"), b"old")
 
-    def test_places_that_are_not_there(self):
+    def test_missing_folders_are_errors(self):
         self.assertIn("no folder 'nowhere'", self.fail_to_write("nowhere/x.png"))
         self.assertIn("no folder", self.fail_to_write("mesh.obj/x.png"))
         os.mkdir(self.path("x.png"))
@@ -113,12 +113,12 @@ class TestWriting(CommandTest):
         self.fail_to_write("pipe.png")
 
     @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
-    def test_a_folder_that_may_not_be_written(self):
+    def test_unwritable_folders_are_errors(self):
         os.mkdir(self.path("locked"), 0o500)
         self.assertIn("ermission", self.fail_to_write("locked/x.png"))
 
-    @unittest.skipIf("TSAN_OPTIONS" in os.environ, "the thread sanitizer writes files of its own")
-    def test_disk_full(self):
+    @unittest.skipIf("TSAN_OPTIONS" in os.environ, "the thread sanitizer writes its own files")
+    def test_a_full_disk_leaves_the_old_file(self):
         """A limit on the size of files simulates a full disk."""
         for name in ("x.png", "x.jpg", "x.tif", "x.bmp", "x.pnm", "x.vti"):
             self.draw(name)
@@ -130,7 +130,7 @@ class TestWriting(CommandTest):
                     preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
                 self.assertEqual(self.read(name), b"old")
 
-    def test_interrupted(self):
+    def test_an_interrupt_leaves_no_partial_file(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             process = subprocess.Popen(
                 [COMMAND, "mesh.obj", "-o", "x.png", "--size", "6000x6000"], cwd=self.folder,

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Strict readers of the picture files that the command writes: each byte must have its place.
+"""Strict readers of the picture files that the command writes: they accept no unexpected byte.
 
 Pictures are rows of pixels, the top row first; a pixel is a tuple of its channels."""
 
@@ -64,7 +64,7 @@ def tiff_tags(content):
     for k in range(count):
         tag, kind, number, place = struct.unpack(
             order + "HHII", content[first + 2 + 12 * k:first + 14 + 12 * k])
-        assert tag > max(tags, default=0), "tags ascend"
+        assert tag > max(tags, default=0), "tags are in ascending order"
         form = order + {3: "%dH" % number, 4: "%dI" % number, 5: "%dI" % (2 * number)}[kind]
         size = struct.calcsize(form)
         start = first + 2 + 12 * k + 8 if size <= 4 else place
@@ -75,7 +75,7 @@ def tiff_tags(content):
 
 
 def read_tiff(content):
-    """Rows of a TIFF as the command writes it: strips of bytes or floats, the top row first."""
+    """Rows of a TIFF written by the command: strips of bytes or floats, the top row first."""
     order, tags = tiff_tags(content)
     one = {tag: values[0] for tag, values in tags.items() if len(set(values)) == 1}
     channels = one[SAMPLES]
@@ -100,7 +100,7 @@ def read_tiff(content):
 
 
 def unpack_lz4(data):
-    """The content of a block of LZ4."""
+    """The content of an LZ4 block."""
     out, at = bytearray(), 0
 
     def length(part):
@@ -124,8 +124,8 @@ def unpack_lz4(data):
 
 
 def read_vti(content):
-    """Name -> rows of each point array of a VTK image as the command writes it; and the scalars'
-    name."""
+    """Name -> rows of each point array of a VTK image written by the command, and the name of the
+    scalars."""
     head, _, data = content.partition(b'<AppendedData encoding="raw">')
     head, data = head.decode(), data[data.index(b"_") + 1:]
     assert 'header_type="UInt32"' in head and "vtkLZ4DataCompressor" in head

@@ -118,7 +118,7 @@ TEST_F(PNGReader, MissingAndSpecialFiles)
   const std::pair<const char*, const char*> cases[] = { { "/no/such.png",
                                                           "there is no such file; check its name" },
     { LAMBENT_BUILD_DIR, "it is a folder; name a file in it" },
-    { "/dev/null", "it is not a regular file; save it to one" } };
+    { "/dev/null", "it is not a regular file; copy it to one" } };
   for (const auto& [path, problem] : cases)
   {
     reader->SetFileName(path);

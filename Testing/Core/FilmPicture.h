@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief pictures with all that an image can hold, compared bit by bit
+ * @brief pictures with alpha, bytes, triangles and passes, compared bit by bit
  */
 #ifndef FilmPicture_h
 #define FilmPicture_h
@@ -16,7 +16,7 @@
 #include <cstring>
 #include <vector>
 
-/// What a picture shall hold.
+/// The contents of a picture.
 struct FilmRequest
 {
   int samples = 1;
@@ -74,7 +74,7 @@ inline FilmPicture makePicture(const RandomScene& random, const FilmRequest& req
   image.passes = request.passes;
   FilmPicture picture;
   picture.channels = image.channels();
-  picture.triangles.assign(pixels, 0xABABABABu); // nobody's
+  picture.triangles.assign(pixels, 0xABABABABu); // no valid number
   image.triangles = picture.triangles.data();
   if (request.isBytes)
   {
@@ -111,7 +111,7 @@ inline FilmPicture makeByBruteForce(const RandomScene& random, const FilmRequest
       { 0, random.width * request.samples, 0, random.height * request.samples }));
 }
 
-/// A scene of a seed, small enough for brute force with many samples.
+/// The scene of a seed, small enough for brute force with many samples.
 inline RandomScene makeSmallScene(unsigned int seed)
 {
   RandomScene random = makeRandomScene(seed);
@@ -120,7 +120,7 @@ inline RandomScene makeSmallScene(unsigned int seed)
   return random;
 }
 
-/// The part of a picture of that width that lies in a window.
+/// Cuts the part in a window out of a picture with this width.
 inline FilmPicture cut(
   const FilmPicture& picture, const FilmRequest& request, int width, const lambent::Window& part)
 {

@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t typeCount = 10;
 constexpr std::size_t attributeCount = 2 * typeCount;
 
-/// NaN with a payload, infinity, -0 and numbers beyond float, now and then.
+/// Random numbers, occasionally NaN with a payload, infinity, -0 or a number beyond float.
 template <typename Value>
 Value realNumber(RandomNumbers& random)
 {
@@ -91,7 +91,7 @@ void RandomAttributes::addPasses()
   this->passes.push_back({ PassContent::Attribute, 2, false, nullptr, attributeCount });
 }
 
-/// Cells of one triangle or of several, and others before them that are no faces.
+/// Makes cells of one or several triangles, after other cells that are not faces.
 void RandomAttributes::addCells(Surface& surface)
 {
   constexpr std::size_t largeMesh = 100000;

@@ -11,18 +11,18 @@
 #include "RandomNumbers.h"
 #include "RandomScenes.h"
 
-/// Gives the surfaces of a scene two attributes of each type, one per point and one per cell, of 1
-/// to 4 components. Some surfaces lack some of them. Some flat surfaces also get cell normals, and
-/// some smooth ones normals that are zero. Must outlive the scene's use.
+/// Gives the surfaces of a scene two attributes of each type, one per point and one per cell, with
+/// 1 to 4 components. Some surfaces lack some of them. Some flat surfaces also get cell normals,
+/// and some smooth ones normals that are zero. It must outlive the scene.
 class RandomAttributes
 {
 public:
   RandomAttributes(RandomScene& random, unsigned int seed);
 
-  /// Depth, normals, positions, each attribute, and one that no surface has. Floats or doubles.
+  /// Depth, normals, positions, each attribute, and one that no surface has, as floats or doubles.
   std::vector<lambent::Pass> passes;
 
-  /// The numbers as doubles, by surface and attribute; empty if the surface lacks it.
+  /// The values as doubles, by surface and attribute; empty if the surface lacks the attribute.
   std::vector<std::vector<std::vector<double>>> values;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A background image is stretched to the picture and interpolated between the centres of its
-// pixels. At the picture's size it is reproduced exactly.
+// pixels. An image of the picture's size is reproduced exactly.
 #include "FilmPicture.h"
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
@@ -48,7 +48,7 @@ struct Pixels
     return this->isBytes ? this->bytes[k] / 255.0 : static_cast<double>(this->floats[k]);
   }
 
-  /// A pixel on top of a colour.
+  /// A pixel composited over a colour.
   Vec3 over(int i, int j, const Vec3& base) const
   {
     const bool isColored = this->components > 2;
@@ -63,7 +63,7 @@ struct Pixels
   }
 };
 
-/// A place between two of so many pixels, and the share of the second.
+/// A place between two pixels, and the weight of the second.
 struct Between
 {
   int first, second;
@@ -122,7 +122,7 @@ struct Subject
 };
 }
 
-// The definition, written as plainly as can be.
+// The definition, written as plainly as possible.
 TEST(BackgroundImage, IsInterpolatedBetweenTheCentresOfItsPixels)
 {
   std::size_t seen = 0;
@@ -197,7 +197,7 @@ TEST(BackgroundImage, PartsEqualThoseOfTheWhole)
   }
 }
 
-TEST(BackgroundImage, OfThePicturesSizeIsReproducedExactly)
+TEST(BackgroundImage, IsReproducedExactlyAtThePicturesSize)
 {
   RandomNumbers numbers(7);
   for (int k = 0; k < 60; ++k)
@@ -207,7 +207,7 @@ TEST(BackgroundImage, OfThePicturesSizeIsReproducedExactly)
     empty.height = 1 + numbers.below(50);
     const int components = k % 2 == 0 ? 1 : 3;
     Pixels image(numbers, empty.width, empty.height, components, k % 4 < 2);
-    // Also numbers that differ much from their neighbours, or are none.
+    // Also numbers that differ much from their neighbours, and NaN.
     for (const float value : { std::numeric_limits<float>::infinity(), 1e38f, -1e38f, 1e-38f, -0.0f,
            std::numeric_limits<float>::quiet_NaN() })
     {
@@ -235,8 +235,8 @@ TEST(BackgroundImage, OfThePicturesSizeIsReproducedExactly)
   }
 }
 
-// Opaque alpha hides the gradient behind it, transparent alpha shows nothing else.
-TEST(BackgroundImage, AlphaShowsTheGradient)
+// Opaque pixels hide the gradient; transparent pixels show only the gradient.
+TEST(BackgroundImage, IsCompositedOverTheGradient)
 {
   RandomNumbers numbers(8);
   RandomScene empty;
@@ -273,8 +273,8 @@ TEST(BackgroundImage, AlphaShowsTheGradient)
   }
 }
 
-// A single pixel fills the picture; beyond the outermost centres nothing is extrapolated.
-TEST(BackgroundImage, EdgesContinue)
+// A single pixel fills the picture. Beyond the outermost centres nothing is extrapolated.
+TEST(BackgroundImage, IsConstantBeyondItsOutermostCentres)
 {
   RandomScene empty;
   empty.width = 8;

@@ -67,7 +67,7 @@ std::string describe(unsigned int seed, const RandomScene& random)
     " x " + std::to_string(random.height);
 }
 
-Settings smallCells(int shift)
+Settings smallTiles(int shift)
 {
   Settings settings;
   settings.tileShift = shift;
@@ -142,7 +142,7 @@ TEST(BruteForce, EqualsTiles)
       makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     for (int shift : { 0, 2, 3, 5 })
     {
-      EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallCells(shift))), 0u)
+      EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallTiles(shift))), 0u)
         << describe(seed, random) << ", cells of " << (1 << shift);
     }
   }
@@ -158,7 +158,7 @@ TEST(BruteForce, EqualsAnyNumberOfThreads)
     for (int threads : { 1, 2, 3, 8 })
     {
       const Picture picture =
-        makePicture(random, whole(random), smallCells(4), ThreadedParallel(threads));
+        makePicture(random, whole(random), smallTiles(4), ThreadedParallel(threads));
       EXPECT_EQ(differences(reference, picture), 0u)
         << describe(seed, random) << ", " << threads << " threads";
     }
@@ -222,12 +222,12 @@ TEST(BruteForce, EqualsSeveralBatchesOfTiles)
     random.height = 120;
     const Picture reference =
       makePicture(random, whole(random), Settings::bruteForce(whole(random)));
-    EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallCells(0))), 0u)
+    EXPECT_EQ(differences(reference, makePicture(random, whole(random), smallTiles(0))), 0u)
       << describe(seed, random);
   }
 }
 
-// The columns need more than 15 bits, so points are located between groups of rays.
+// The columns need more than 15 bits, so points are located between groups of samples.
 TEST(BruteForce, EqualsAVeryWideImage)
 {
   std::size_t hits = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Coverage decides a ray as certain only if it is right, also where rays pass edges as closely as
+// Coverage treats a sample as certain only if it is right, also where rays pass edges as closely as
 // float can resolve.
 #include "Coverage.h"
 #include "InstructionSets.h"
@@ -30,7 +30,7 @@ struct View
   {
   }
 
-  /// The point at a depth that appears at a column and a row between the rays.
+  /// The point at a depth that appears at a column and a row between the samples.
   Vec3 at(double column, double row, double depth) const
   {
     const double x = ((column + 0.5) - this->frame.centerX) * this->frame.pixel;
@@ -46,7 +46,7 @@ struct View
   }
 };
 
-/// A triangle that covers a few rays, with an edge that passes one of them at a tiny distance.
+/// A triangle that covers a few samples, with an edge that passes one of them at a tiny distance.
 void makeTriangle(const View& view, RandomNumbers& random, Vec3 (&corners)[3])
 {
   const double column = width - 60 + random.below(50), row = height - 60 + random.below(50);
@@ -75,7 +75,7 @@ bool fill(const View& view, const Vec3 (&corners)[3], CoverageBatch& batch)
       batch.points[3 * k + axis][0] = corners[k][axis];
     }
   }
-  const Window box = view.lattice.raysBetween(positions[0], positions[1], positions[2]);
+  const Window box = view.lattice.samplesBetween(positions[0], positions[1], positions[2]);
   batch.count = 1;
   batch.triangles[0] = 0;
   batch.width = box.width();
@@ -85,19 +85,19 @@ bool fill(const View& view, const Vec3 (&corners)[3], CoverageBatch& batch)
   return !box.empty() && view.lattice.isExact(positions[0], positions[1], positions[2]);
 }
 
-using Rays = std::set<std::pair<int, int>>;
+using Samples = std::set<std::pair<int, int>>;
 
-Rays raysOf(const CoveredRay* rays, int count)
+Samples samplesOf(const CoveredSample* samples, int count)
 {
-  Rays all;
+  Samples all;
   for (int k = 0; k < count; ++k)
   {
-    all.emplace(rays[k].i(), rays[k].j());
+    all.emplace(samples[k].i(), samples[k].j());
   }
   return all;
 }
 
-/// Returns the number of rays that float arithmetic was certain of.
+/// Returns the number of samples that float arithmetic was certain of.
 int compare(const View& view, RandomNumbers& random)
 {
   Vec3 corners[3];
@@ -107,10 +107,10 @@ int compare(const View& view, RandomNumbers& random)
   {
     return 0;
   }
-  CoveredRays covered;
+  CoveredSamples covered;
   findCoverage(batch, view.lattice, covered);
-  const Rays certain = raysOf(covered.certainRays, covered.certain);
-  const Rays uncertain = raysOf(covered.uncertainRays, covered.uncertain);
+  const Samples certain = samplesOf(covered.certainSamples, covered.certain);
+  const Samples uncertain = samplesOf(covered.uncertainSamples, covered.uncertain);
   for (int j = 0; j < batch.height; ++j)
   {
     for (int i = 0; i < batch.width; ++i)

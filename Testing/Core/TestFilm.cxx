@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Alpha: the fraction of a pixel's samples that hit something, with the mean colour of these
-// alone. Neither instruction sets nor threads, tiles or parts may change a bit.
+// Alpha is the fraction of a pixel's samples that hit a surface, and the colour is the mean of
+// these samples. Instruction sets, threads, tiles and parts must not change a bit.
 #include "FilmPicture.h"
 #include "InstructionSets.h"
 #include "LightModel.h"
@@ -22,14 +22,15 @@ FilmRequest withAlpha(int samples, bool isBytes)
   return request;
 }
 
-/// The sum of colours of the samples that hit something, and their number.
+/// The sum of the colours of the samples that hit a surface, and the number of these samples.
 struct Sum
 {
   Vec3 color{ 0.0 };
   double hits = 0.0;
 };
 
-/// Adds up the samples of a pixel of the larger picture that shows these triangles.
+/// Adds up the samples of a pixel, from the triangles of a larger picture with one sample per
+/// pixel.
 Sum addSamples(const RandomScene& larger, const std::vector<std::uint32_t>& triangles, int n,
   int pixel, const TrianglePoints& points, const LightModel& light, const CameraFrame& frame)
 {
@@ -48,7 +49,7 @@ Sum addSamples(const RandomScene& larger, const std::vector<std::uint32_t>& tria
 }
 }
 
-// The definition, written as plainly as can be: the sum of the hits over n^2, and over alpha.
+// The definition, written as plainly as possible: the sum of the hits over n^2, and over alpha.
 TEST(Film, StoresTheMeanColourOfTheHitsAndTheirFraction)
 {
   std::size_t partial = 0;
@@ -88,7 +89,7 @@ TEST(Film, StoresTheMeanColourOfTheHitsAndTheirFraction)
           n * (pixel % random.width) + n / 2]);
     }
   }
-  EXPECT_GT(partial, 200u); // there are edges
+  EXPECT_GT(partial, 200u); // pixels at edges
 }
 
 TEST(Film, AlphaEqualsBruteForceInEveryInstructionSet)
@@ -112,7 +113,7 @@ TEST(Film, AlphaEqualsBruteForceInEveryInstructionSet)
   }
 }
 
-// Wider than the pieces that rows are cut into.
+// The pictures are wider than the pieces that rows are divided into.
 TEST(Film, AlphaEqualsBruteForceInLargerPictures)
 {
   for (unsigned int seed = 400; seed < 410 && !HasFailure(); ++seed)
@@ -144,8 +145,8 @@ TEST(Film, PartsWithAlphaEqualThoseOfTheWhole)
   }
 }
 
-// What lies behind the surfaces leaves no trace in a picture with alpha.
-TEST(Film, AlphaHasNoBackground)
+// The background has no effect on a picture with alpha.
+TEST(Film, PicturesWithAlphaHaveNoBackground)
 {
   for (unsigned int seed = 0; seed < 30; ++seed)
   {
@@ -162,8 +163,8 @@ TEST(Film, AlphaHasNoBackground)
   }
 }
 
-// A scene without surfaces: black and transparent, with nothing negative about the zeros.
-TEST(Film, NothingIsTransparentBlack)
+// Without surfaces, the picture is black and transparent, and no zero is negative.
+TEST(Film, PicturesWithoutSurfacesAreTransparentBlack)
 {
   RandomScene random;
   random.width = 45;
@@ -179,8 +180,8 @@ TEST(Film, NothingIsTransparentBlack)
   }
 }
 
-// Laid over a background, the picture with alpha is the opaque picture, to a rounding.
-TEST(Film, LaidOverABackgroundIsTheOpaquePicture)
+// Composited over a background, the picture with alpha equals the opaque picture up to rounding.
+TEST(Film, CompositingGivesTheOpaquePicture)
 {
   for (unsigned int seed = 0; seed < 40; ++seed)
   {

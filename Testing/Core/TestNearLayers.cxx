@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers so close that floats can hardly tell, or cannot tell, which one is in front; and so many
-// that most are dropped before they are cast.
+// Layers so close that floats can hardly decide, or cannot decide, which one is in front, and so
+// many layers that most are dropped before they are cast.
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
 #include "VisibleTriangles.h"
@@ -60,7 +60,7 @@ protected:
 };
 
 /// Large triangles at random depths. Each covers most of the picture. Some are steep: they have the
-/// nearest corners, but lie behind all others where they are seen.
+/// nearest corners, but lie behind all others within the picture.
 struct ManyLayers : Layers
 {
   ManyLayers(unsigned seed, double spread, double slope, bool parallel)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Passes show what the middle sample of each pixel sees. Brute force gives what the formulas
-// say; neither instruction sets nor threads, tiles, parts or rounds may change a bit of it.
+// Passes show what the middle sample of each pixel sees. Brute force follows the formulas.
+// Instruction sets, threads, tiles, parts and rounds must not change a bit.
 #include "FilmPicture.h"
 #include "InstructionSets.h"
 #include "RandomAttributes.h"
@@ -66,7 +66,8 @@ struct Sighting
   }
 };
 
-/// As the surface has it: that of the face, or of the points by the edge functions.
+/// The normal as the surface has it: the face normal, or the point normals weighted by the edge
+/// functions.
 Vec3 givenNormal(const RandomScene& random, const Sighting& seen, bool& isReversed)
 {
   const Surface& surface = random.scene.surfaces[seen.surface];
@@ -77,7 +78,7 @@ Vec3 givenNormal(const RandomScene& random, const Sighting& seen, bool& isRevers
     const auto normal = [&](std::size_t k) { return surface.pointNormals[seen.point(random, k)]; };
     isReversed = dot(winding, (normal(0) + normal(1)) + normal(2)) < 0.0;
     const Vec3 sum = (normal(0) * seen.hit.e0 + normal(1) * seen.hit.e1) + normal(2) * seen.hit.e2;
-    return seen.hit.sum < 0.0 ? -sum : sum; // the edge functions are negative on the back
+    return seen.hit.sum < 0.0 ? -sum : sum; // edge functions are negative on the back
   }
   const Vec3 face = surface.cellNormals
     ? surface.cellNormals[static_cast<std::size_t>(surface.cellOf(seen.triangle))]
@@ -146,7 +147,7 @@ double expectedValue(const Subject& subject, const CameraFrame& frame, const Sig
   return expectedAttribute(subject, seen, pass.attribute, component);
 }
 
-/// The bits of a component; there is one NaN of each type.
+/// Compares the bits of a component. All NaN of a type have the same bits.
 void expectStored(const FilmPicture& picture, const Pass& form, std::size_t pass, int pixel,
   int component, double expected, const std::string& where)
 {
@@ -168,7 +169,8 @@ void expectStored(const FilmPicture& picture, const Pass& form, std::size_t pass
 }
 }
 
-// The definition, written as plainly as can be, from the triangles that the larger picture shows.
+// The definition, written as plainly as possible, from the triangles of a larger picture with one
+// sample per pixel.
 TEST(PassPainting, ShowsWhatTheMiddleSampleSees)
 {
   std::size_t hits = 0, nothings = 0;
@@ -204,7 +206,7 @@ TEST(PassPainting, ShowsWhatTheMiddleSampleSees)
       }
     }
   }
-  EXPECT_GT(hits, 3000u); // both are there to be seen
+  EXPECT_GT(hits, 3000u); // both occur often
   EXPECT_GT(nothings, 3000u);
 }
 
@@ -231,7 +233,8 @@ TEST(PassPainting, EqualsBruteForceInEveryInstructionSet)
   }
 }
 
-// Wide enough for several pieces in a row of a tile, and for tiles that nothing touches.
+// The pictures are wide enough for several pieces in a row of a tile, and for tiles without
+// triangles.
 TEST(PassPainting, EqualsBruteForceInLargerPictures)
 {
   for (unsigned int seed = 400; seed < 410 && !HasFailure(); ++seed)
@@ -270,9 +273,9 @@ TEST(PassPainting, PartsEqualThoseOfTheWhole)
   }
 }
 
-// Bins that fill up: tiles keep their hits from round to round. Rounds are of a million
-// triangles at least, so the mesh is made large by repeating it.
-TEST(PassPainting, GoesOnInSeveralRounds)
+// If the bins fill up, tiles keep their hits from round to round. A round has at least a million
+// triangles, so the mesh is repeated to make it large.
+TEST(PassPainting, WorksInSeveralRounds)
 {
   for (const unsigned int seed : { 303u, 304u })
   {
@@ -294,7 +297,7 @@ TEST(PassPainting, GoesOnInSeveralRounds)
   }
 }
 
-// What was asked for beside the colours changes none of them.
+// Passes do not change the colours.
 TEST(PassPainting, ChangesNoColour)
 {
   for (unsigned int seed = 500; seed < 530; ++seed)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lattice may keep too many rays for a triangle, but never one too few.
+// The lattice may keep too many samples for a triangle, but never too few.
 #include "LatticeKernel.h"
 #include "PointLattice.h"
 #include "RandomNumbers.h"
@@ -29,9 +29,10 @@ bool isPlaced(LatticePosition p)
   return p.column < LatticePosition::notFinite;
 }
 
-/// Calls check(i, j, isHit, rays) for each ray of the window and each of many random triangles.
+/// Calls check(i, j, isHit, samples) for each sample of the window and each of many random
+/// triangles.
 template <typename Check>
-void forRaysAndTriangles(const Window& window, Check&& check)
+void forSamplesAndTriangles(const Window& window, Check&& check)
 {
   RandomNumbers random(7);
   for (int k = 0; k < 1500; ++k)
@@ -46,7 +47,7 @@ void forRaysAndTriangles(const Window& window, Check&& check)
     for (Vec3& point : points)
     {
       point = center + random.inBox(random.below(2) ? size : 0.1 * size);
-      if (random.below(4) == 0) // exactly or nearly on a ray
+      if (random.below(4) == 0) // exactly or nearly on a sample's ray
       {
         const double depth = random.within(1.0, 5.0) * size;
         point =
@@ -62,16 +63,17 @@ void forRaysAndTriangles(const Window& window, Check&& check)
     }
     if (isPlaced(p[0]) && isPlaced(p[1]) && isPlaced(p[2]))
     {
-      const Window rays = lattice.raysBetween(p[0], p[1], p[2]);
-      EXPECT_TRUE(rays.i0 >= 0 && rays.i1 <= window.width());
-      EXPECT_TRUE(rays.j0 >= 0 && rays.j1 <= window.height());
+      const Window samples = lattice.samplesBetween(p[0], p[1], p[2]);
+      EXPECT_TRUE(samples.i0 >= 0 && samples.i1 <= window.width());
+      EXPECT_TRUE(samples.j0 >= 0 && samples.j1 <= window.height());
       for (int j = 0; j < window.height(); ++j)
       {
         for (int i = 0; i < window.width(); ++i)
         {
           Hit hit;
           check(i, j,
-            intersect(q[0], q[1], q[2], frame.x(window.i0 + i), frame.y(window.j0 + j), hit), rays);
+            intersect(q[0], q[1], q[2], frame.x(window.i0 + i), frame.y(window.j0 + j), hit),
+            samples);
         }
       }
     }
@@ -98,28 +100,28 @@ void expectAdded(
 }
 }
 
-TEST(PointLattice, KeepsEveryRayThatHits)
+TEST(PointLattice, KeepsEverySampleThatHits)
 {
   for (const Window& window : { Window{ 0, 40, 0, 30 }, Window{ 7, 23, 11, 12 } })
   {
     int hits = 0;
-    forRaysAndTriangles(window,
-      [&](int i, int j, bool isHit, const Window& rays)
+    forSamplesAndTriangles(window,
+      [&](int i, int j, bool isHit, const Window& samples)
       {
         if (isHit)
         {
           ++hits;
-          EXPECT_TRUE(i >= rays.i0 && i < rays.i1 && j >= rays.j0 && j < rays.j1)
-            << "ray " << i << ", " << j;
+          EXPECT_TRUE(i >= samples.i0 && i < samples.i1 && j >= samples.j0 && j < samples.j1)
+            << "sample " << i << ", " << j;
         }
       });
     EXPECT_GT(hits, 1000);
   }
 }
 
-// A point between two rays is located between these two, so that a triangle between rays is
+// A point between two samples is located between these two, so that a triangle between samples is
 // dropped.
-TEST(PointLattice, LocatesPointsBetweenRays)
+TEST(PointLattice, LocatesPointsBetweenSamples)
 {
   const Window window{ 5, 35, 3, 30 };
   RandomNumbers random(8);
@@ -135,11 +137,12 @@ TEST(PointLattice, LocatesPointsBetweenRays)
     const LatticePosition p = lattice.locate(point);
     EXPECT_EQ(p.column, 2 * std::min(30, std::max(0, i + 1 - 5)));
     EXPECT_EQ(p.row, 2 * std::min(27, std::max(0, j + 1 - 3)));
-    EXPECT_TRUE(lattice.raysBetween(p, p, p).empty());
+    EXPECT_TRUE(lattice.samplesBetween(p, p, p).empty());
   }
 }
 
-// A point on a ray counts as left and as right of it, whichever way its position is rounded.
+// A point on a sample's ray counts as left and as right of it, whichever way its position is
+// rounded.
 TEST(PointLattice, PointsOnARayCountOnBothSides)
 {
   RandomNumbers random(10);
@@ -152,8 +155,8 @@ TEST(PointLattice, PointsOnARayCountOnBothSides)
       lattice.locate(frame.eye + frame.fromEye(frame.x(i), frame.y(j), random.within(1.0, 5.0)));
     EXPECT_EQ(p.column, 2 * i + 1);
     EXPECT_EQ(p.row, 2 * j + 1);
-    const Window rays = lattice.raysBetween(p, p, p);
-    EXPECT_TRUE(rays.i0 == i && rays.i1 == i + 1 && rays.j0 == j && rays.j1 == j + 1);
+    const Window samples = lattice.samplesBetween(p, p, p);
+    EXPECT_TRUE(samples.i0 == i && samples.i1 == i + 1 && samples.j0 == j && samples.j1 == j + 1);
   }
 }
 
@@ -284,7 +287,7 @@ TEST(PointLattice, NaNPositionIsAnywhere)
   }
 }
 
-// Beyond 15 bits, rays are counted in groups. No ray is lost.
+// Beyond 15 bits, samples are counted in groups. No sample is lost.
 TEST(PointLattice, LargeImages)
 {
   RandomNumbers random(9);
@@ -302,11 +305,11 @@ TEST(PointLattice, LargeImages)
       const double span = random.within(0.1, 10.0) * frame.pixel;
       const auto at = [&](double dx, double dy)
       { return lattice.locate(Vec3(frame.x(i) + dx * span, frame.y(j) + dy * span, 0.0)); };
-      const Window rays = lattice.raysBetween(at(-1.0, -1.0), at(1.0, -1.0), at(0.0, 1.0));
-      EXPECT_TRUE(rays.i0 <= i && i < rays.i1 && rays.j0 <= j && j < rays.j1);
-      EXPECT_LE(rays.i1, size);
-      EXPECT_LE(rays.j1, size);
-      EXPECT_LE(rays.width(), 24 + size / 8000);
+      const Window samples = lattice.samplesBetween(at(-1.0, -1.0), at(1.0, -1.0), at(0.0, 1.0));
+      EXPECT_TRUE(samples.i0 <= i && i < samples.i1 && samples.j0 <= j && j < samples.j1);
+      EXPECT_LE(samples.i1, size);
+      EXPECT_LE(samples.j1, size);
+      EXPECT_LE(samples.width(), 24 + size / 8000);
     }
   }
 }

@@ -106,14 +106,14 @@ struct Sheets
   }
 };
 
-/// Pieces of a row. Runs of rays hit one sheet, another one, or nothing.
-struct Rays
+/// Pieces of a row. Runs of samples hit one sheet, another one, or nothing.
+struct RowSamples
 {
   std::vector<double> xs;
   double y;
   SampleBatch batch;
 
-  Rays(Sheets& sheets, int row)
+  RowSamples(Sheets& sheets, int row)
     : y(sheets.frame->y(row))
   {
     for (int i = 0; i < width + 16; ++i)
@@ -166,9 +166,10 @@ struct Rays
   }
 };
 
-void expectColorsOf(const TrianglePoints& points, const LightModel& light, const Rays& rays)
+void expectColorsOf(
+  const TrianglePoints& points, const LightModel& light, const RowSamples& samples)
 {
-  const SampleBatch& batch = rays.batch;
+  const SampleBatch& batch = samples.batch;
   for (int place = 0; place < batch.pieceCount * SampleBatch::pieceSize; ++place)
   {
     const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
@@ -199,15 +200,15 @@ void compare(unsigned int seed, bool parallel, Shading shading)
   const LightModel light(sheets.scene, sheets.frame->eye);
   for (int row = 0; row < height; ++row)
   {
-    Rays rays(sheets, row);
+    RowSamples samples(sheets, row);
     RunRange all;
-    all.endRun = rays.batch.runCount;
-    all.end = rays.batch.pieceCount * SampleBatch::pieceSize;
+    all.endRun = samples.batch.runCount;
+    all.end = samples.batch.pieceCount * SampleBatch::pieceSize;
     all.isSmooth = sheets.scene.surfaces[0].isSmooth();
     all.hasGivenNormals = true;
     all.appearance = &sheets.scene.surfaces[0].appearance;
-    shadeTriangles(points, light, all, rays.batch);
-    expectColorsOf(points, light, rays);
+    shadeTriangles(points, light, all, samples.batch);
+    expectColorsOf(points, light, samples);
   }
 }
 }

@@ -59,7 +59,7 @@ def has_rounded(text, value):
 
 
 class EveryPage(unittest.TestCase):
-    def test_the_first_page_is_short_and_leads_to_all_others(self):
+    def test_the_first_page_is_short_and_links_to_all_others(self):
         self.assertLessEqual(len(read("README.md").splitlines()), MOST_LINES)
         readmes = documents.readmes()
         self.assertGreaterEqual(len(readmes), 8)
@@ -77,7 +77,7 @@ class EveryPage(unittest.TestCase):
                 if anchor:
                     self.assertIn(anchor, documents.anchors(path), (page, link))
 
-    def test_quotes_equal_the_files(self):
+    def test_quoted_code_equals_the_files(self):
         quoted = {}
         for page in documents.pages():
             for _, path, first, last, body, _ in documents.QUOTE.findall(read(page)):
@@ -91,7 +91,7 @@ class EveryPage(unittest.TestCase):
         self.assertEqual(whole["Rendering/Python/README.md"], {"Examples/Python/test_pictures.py"})
         self.assertEqual(whole["Rendering/CommandLine/README.md"], {"Examples/CommandLine/passes.sh"})
 
-    def test_every_block_of_code_is_quoted(self):
+    def test_every_code_block_is_a_quote(self):
         for page in documents.pages():
             text = read(page)
             self.assertEqual(len(re.findall(r"^ *(?:```|~~~)", text, re.MULTILINE)),
@@ -107,7 +107,7 @@ class EveryPage(unittest.TestCase):
 
 
 class Claims(unittest.TestCase):
-    def test_the_first_command_builds_what_the_quick_starts_take(self):
+    def test_the_first_command_builds_what_the_quick_starts_need(self):
         built = re.search("^compile --target (.*)$", read("Examples/run.sh"), re.MULTILINE).group(1)
         self.assertEqual(set(built.split()), {"lambent", "vtkLambentPython"})
 
@@ -122,7 +122,7 @@ class Claims(unittest.TestCase):
         for source in re.findall(r"^    (\w+)\)?$", read("Examples/Gallery/Pictures.cmake"), re.MULTILINE):
             self.assertIn("](Gallery/%s.cxx)" % source, gallery)
 
-    def test_settings_are_those_of_the_classes(self):
+    def test_settings_match_the_classes(self):
         for header, page, least in (
                 ("Rendering/vtkLambentRayTracer.h", "Rendering/README.md", 20),
                 ("Filters/vtkLambentNormals.h", "Filters/README.md", 9),
@@ -135,7 +135,7 @@ class Claims(unittest.TestCase):
             self.assertEqual(wanted - known, set(), "%s: not in %s" % (name, page))
             self.assertEqual(named - wanted, set(), "%s: only in %s" % (name, page))
 
-    def test_assertions_and_options_are_those_of_pytest(self):
+    def test_assertions_and_options_match_the_pytest_plugin(self):
         text = section(read("Rendering/Python/README.md"), "Image tests with pytest")
         assertions = re.findall(r"^def (assert_\w+\(.*\)):$",
                                 read("Rendering/Python/testing/assertions.py"), re.MULTILINE)
@@ -145,12 +145,12 @@ class Claims(unittest.TestCase):
         options = re.findall(r'addoption\("(--[\w-]+)"', read("Rendering/Python/pytest_lambent.py"))
         self.assertEqual(set(re.findall(r"--lambent-\w+", text)), set(options))
 
-    def test_contract_version_is_the_current_one(self):
+    def test_contract_version_is_current(self):
         version = re.search(r"constexpr int ImageContractVersion = (\d+);",
                             read("Rendering/Core/Contract/ImageContract.h")).group(1)
         self.assertIn("This is version %s of it" % version, read("Testing/Reproducibility/README.md"))
 
-    def test_matrix_goes_into_its_readme(self):
+    def test_matrix_can_write_its_readme(self):
         folder = os.path.join(ROOT, "Testing", "Reproducibility")
         sys.path.insert(0, folder)
         loader = importlib.machinery.SourceFileLoader("matrix", os.path.join(folder, "matrix"))
@@ -164,7 +164,7 @@ class Claims(unittest.TestCase):
         for paragraph in (matrix.INSTRUCTION_SETS, matrix.OTHER_WAYS):
             self.assertIn("\n\n%s\n\n| " % paragraph, tables[0])
 
-    def test_times_are_those_of_the_report(self):
+    def test_times_match_the_report(self):
         report = read("Testing/Benchmarks/report.md")
         lambent = {row[0]: row for row in documents.table(report, "scene                  |  triangles")}
         opengl = {row[0]: row for row in documents.table(report, "scene           | OpenGL")}
@@ -187,7 +187,7 @@ class Claims(unittest.TestCase):
                         self.assertTrue(has_rounded(figure, float(value)), (row, shown, cell))
 
     @unittest.skipUnless(COMMAND, "needs the command")
-    def test_options_are_those_of_the_command(self):
+    def test_options_match_the_command(self):
         offered = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", output_of_command("--help"), re.MULTILINE))
         text = section(read("Rendering/CommandLine/README.md"), "Options")
         rows = re.findall(r"^\| (`-.*?) \|", text, re.MULTILINE)
@@ -195,7 +195,7 @@ class Claims(unittest.TestCase):
         self.assertGreater(len(offered), 15)
         self.assertEqual(named, offered)
 
-    def test_file_formats_are_those_of_the_command(self):
+    def test_file_formats_match_the_command(self):
         page = read("Rendering/CommandLine/README.md")
         rows = re.findall(r"^\| (.*?) \|", section(page, "Input files"), re.MULTILINE)
         named = re.findall(r"(?<=[ `])\.\w+", " ".join(rows))

@@ -27,12 +27,12 @@ class TestRooms(unittest.TestCase):
                 if path.suffix in (".h", ".cxx"):
                     self.assertIn(path, known)
 
-    def test_headers_of_the_core_have_names_of_their_own(self):
+    def test_headers_of_the_core_have_unique_names(self):
         for header, folders in rooms.rooms_of_headers().items():
             core = [folder for folder in folders if folder != rooms.COMMAND]
             self.assertLessEqual(len(core), 1, header)
 
-    def test_map(self):
+    def test_the_table_in_the_readme_is_current(self):
         text = (rooms.ROOT / "Rendering/README.md").read_text()
         shown = re.search(r"<!-- rooms -->\n(.*?)\n<!-- end of the rooms -->", text, re.DOTALL)
         self.assertEqual(shown and shown.group(1), rooms.table(),

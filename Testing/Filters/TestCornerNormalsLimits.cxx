@@ -85,7 +85,7 @@ TEST(CornerNormals, TooManyAreAnError)
     {
       EXPECT_EQ(std::string(error.what()),
         "there would be more than " + std::to_string(most) +
-          " normals. Compute them with vtkLambentNormals, or draw the mesh in parts.");
+          " normals. Compute them with vtkLambentNormals, or render the mesh in parts.");
     }
   }
   // If no corner needs an index, there may be more points.

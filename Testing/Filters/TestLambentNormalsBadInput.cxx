@@ -159,7 +159,7 @@ TEST(LambentNormalsBadInput, NonFiniteCellsAreIgnored)
       normals->SetInputData(cube);
       normals->ComputeCellNormalsOn();
       normals->Update();
-      expectParts(messages.warnings, { "4 cells", "cell 2.", "not numbers", "remove" });
+      expectParts(messages.warnings, { "4 cells", "cell 2.", "infinite or NaN", "remove" });
       EXPECT_TRUE(messages.errors.empty());
       std::vector<float> expected = referenceNormals(without, vtkLambentNormals::ANGLE);
       EXPECT_EQ(valuesOf(normals->GetOutput()->GetPointData()->GetNormals()), expected);
@@ -313,7 +313,7 @@ TEST(LambentNormalsBadInput, FlippingWithoutComputingPointNormals)
     return messages.warnings;
   };
   expectParts(warningsOf(true, false, false),
-    { "FlipNormals", "those of the input", "ComputePointNormalsOn()", "FlipNormalsOff()" });
+    { "FlipNormals", "the input's normals", "ComputePointNormalsOn()", "FlipNormalsOff()" });
   expectParts(warningsOf(true, false, true), { "FlipNormals", "ComputePointNormalsOn()" });
   expectParts(warningsOf(false, false, false), { "FlipNormals", "ComputePointNormalsOn()" });
   EXPECT_TRUE(warningsOf(false, false, true).empty());

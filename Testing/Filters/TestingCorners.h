@@ -24,7 +24,7 @@ struct PolygonMesh
   PolygonMesh mirrored() const;
 };
 
-// Polygons of random points close to each other. Some name a point twice, are flat, or are opposite
+// Polygons of random points close to each other. Some use a point twice, are flat, or are opposite
 // to others.
 PolygonMesh makeRandomPolygons(unsigned int seed);
 // A closed surface of triangles: a ball with random dents of up to this fraction of its radius.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief change what a ray tracer was given, by the bytes of a fuzzer
+ * @brief change a ray tracer's camera, lights, properties and background by the bytes of a fuzzer
  */
 #ifndef FuzzChanges_h
 #define FuzzChanges_h
@@ -20,7 +20,7 @@ void change(FuzzInput& input, vtkCamera* camera);
 void change(FuzzInput& input, vtkLight* light);
 void change(FuzzInput& input, vtkProperty* property);
 
-/// An image for the background, now and then of a type or size that it cannot have.
+/// An image for the background, occasionally of an invalid type or size.
 vtkSmartPointer<vtkImageData> makeFuzzImage(FuzzInput& input);
 
 #endif

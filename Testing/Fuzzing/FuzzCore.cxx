@@ -15,7 +15,7 @@ using namespace lambent;
 
 namespace
 {
-/// What the picture holds, and what lies behind it. Zero bytes mean colours alone, as floats.
+/// The contents of the picture and the background image. Zero bytes mean only colours, as floats.
 struct FuzzFilm
 {
   int samples;
@@ -51,7 +51,7 @@ struct FuzzFilm
         this->image.push_back(
           input.seldom(32) ? input.raw<float>() : static_cast<float>(input.within(-0.5, 1.5)));
       }
-      // Any bytes will do as bytes, too.
+      // The bytes of floats are also valid as bytes.
       const AttributeType type = hasDoubles ? AttributeType::UInt8 : AttributeType::Float;
       this->behind = { { this->image.data(), type, components, false }, this->imageWidth,
         this->imageHeight };
@@ -118,7 +118,7 @@ bool areSame(unsigned char a, unsigned char b)
   return a == b;
 }
 
-/// Compares a row of a part with that of the whole: so many values of each pixel.
+/// Compares a row of a part with that of the whole. `values` is the number of values per pixel.
 template <typename Value>
 void compareRow(const std::vector<Value>& whole, const std::vector<Value>& picture, int width,
   const Window& part, int j, std::size_t values)
@@ -127,14 +127,14 @@ void compareRow(const std::vector<Value>& whole, const std::vector<Value>& pictu
   const std::size_t to = values * (static_cast<std::size_t>(j - part.j0) * part.width());
   for (std::size_t k = 0; !whole.empty() && k < values * part.width(); ++k)
   {
-    require(areSame(picture[to + k], whole[from + k]), "each value is that of brute force");
+    require(areSame(picture[to + k], whole[from + k]), "each value equals that of brute force");
   }
 }
 
 void compare(const FuzzScene& from, const FuzzFilm& film, const Picture& whole,
   const Picture& picture, const Window& part)
 {
-  require(picture.report.outcome == whole.report.outcome, "the outcome is that of brute force");
+  require(picture.report.outcome == whole.report.outcome, "the outcome equals that of brute force");
   const MeshDefects &a = whole.report.defects, &b = picture.report.defects;
   require(a.wrongCorner == b.wrongCorner, "the first wrong corner is the same");
   if (whole.report.outcome == Outcome::BadMesh)

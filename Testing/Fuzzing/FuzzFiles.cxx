@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The files that the command's own readers read: PLY, STL and OBJ files, and PNM images. The result
-// is a Failure, or a valid mesh or image. And its checks of TIFF and BMP images: a Failure or
-// nothing.
+// The command's own readers, for PLY, STL, OBJ and PNM: the result is a Failure, or a valid mesh or
+// image. Its checks of TIFF and BMP images either throw a Failure or accept the file.
 #include "FuzzInput.h"
 #include "NamelessFile.h"
 
@@ -70,7 +69,7 @@ void checkIds(vtkPolyData* mesh)
     }
     catch (const Failure&)
     {
-      require(false, "cells name points that exist");
+      require(false, "cells use points that exist");
     }
   }
 }
@@ -120,8 +119,8 @@ void read(std::string_view text, const std::string& path)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  vtkObject::GlobalWarningDisplayOff(); // most of these texts cause a warning: their last line does
-                                        // not end
+  // Most of these texts lack the end of their last line, which causes a warning.
+  vtkObject::GlobalWarningDisplayOff();
   const NamelessFile file(data, size);
   try
   {

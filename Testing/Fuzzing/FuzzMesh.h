@@ -20,7 +20,7 @@ class vtkPolyData;
 /// cell data of any length and type.
 vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input);
 
-/// Adds a point array "Heat" and a cell array "Part" of any type, of the right length.
+/// Adds a point array "Heat" and a cell array "Part" of any type and the right length.
 void addFuzzArrays(FuzzInput& input, vtkPolyData* mesh);
 
 /// Counts the errors of an algorithm. The first instance silences all output of VTK.

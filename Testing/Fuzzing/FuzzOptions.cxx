@@ -54,13 +54,12 @@ void checkFilm(const Options& options)
   std::set<std::string> names;
   for (const PassValue& pass : options.passes)
   {
-    require(
-      !pass.array.empty() && names.insert(pass.array).second, "passes have names of their own");
+    require(!pass.array.empty() && names.insert(pass.array).second, "each pass has a unique name");
     require(pass.file.empty() ? endsIn(options.output, { ".vti" })
                               : endsIn(pass.file, { ".tif", ".tiff", ".vti" }),
       "each pass is stored");
     require(pass.content != PassValue::Content::Array || !IsOwnArray(pass.array),
-      "no array of the inputs replaces one of the picture");
+      "no array of the inputs replaces an array of the picture");
   }
 }
 
@@ -68,11 +67,12 @@ void check(const Options& options)
 {
   checkFilm(options);
   require(!options.inputs.empty() + !options.picture.empty() + !options.recreate.empty() == 1,
-    "there are inputs, or a picture to compare or to draw again");
+    "there are inputs, or a picture to compare or to recreate");
   require(
     !options.output.empty() || !options.comparison.baseline.empty() || !options.recreate.empty(),
     "there is something to do");
-  require(options.picture.empty() || !options.comparison.baseline.empty(), "pictures are two");
+  require(options.picture.empty() || !options.comparison.baseline.empty(),
+    "a picture is compared with a baseline");
   require(options.comparison.tolerance >= 0 && std::isfinite(options.comparison.tolerance),
     "the tolerance is not negative");
   if (options.size)
@@ -82,9 +82,10 @@ void check(const Options& options)
   require(options.diffuse >= 0 && options.diffuse <= 1, "diffuse lies between 0 and 1");
   require(options.ambient >= 0 && options.ambient <= 1, "ambient lies between 0 and 1");
   require(options.zoom > 0 && std::isfinite(options.zoom), "the zoom is positive");
-  require(options.threads >= 0 && options.threads <= 1024, "threads are few");
+  require(options.threads >= 0 && options.threads <= 1024, "there are at most 1024 threads");
   require(!(options.quiet && options.verbose), "it is not both quiet and verbose");
-  require(!(options.cameraPosition && options.direction), "one says where the camera is");
+  require(!(options.cameraPosition && options.direction),
+    "the camera is placed by its position or by a direction, not both");
   requireColor(options.background);
   requireColor(options.color);
   requireColor(options.ambientColor.value_or(options.color));
@@ -125,7 +126,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(*parsed.exitStatus == 0 || *parsed.exitStatus == 2, "the status is 0 or 2");
     const std::string& error = parsed.standardError;
     require(std::count(error.begin(), error.end(), '\n') == *parsed.exitStatus,
-      "wrong usage brings a line and a hint");
+      "wrong usage prints an error and a hint");
     require((*parsed.exitStatus == 0) != parsed.standardOutput.empty(), "help is printed");
     return 0;
   }

@@ -85,7 +85,7 @@ private:
     }
   }
 
-  /// Sets all that pictures can have beside colours; 0: nothing.
+  /// Sets alpha, the background image and the passes by these bits.
   void setFilm(int bits)
   {
     this->Tracer->SetOutputAlpha((bits & 1) != 0);
@@ -112,7 +112,7 @@ private:
   void addPassArray(int association, const std::string& name)
   {
     this->Tracer->AddPassArray(association, name.c_str());
-    if (!name.empty()) // it is refused at once
+    if (!name.empty()) // an empty name is refused at once
     {
       this->PassArrays.push_back({ association, name });
     }
@@ -278,9 +278,9 @@ private:
       require(output->GetNumberOfPoints() == 0 && !colors, "after an error the output is empty");
       return;
     }
-    require(this->isSizeLegal(), "an image of no size or beyond memory is an error");
+    require(this->isSizeLegal(), "an empty image, or one too large for memory, is an error");
     const int* const made = output->GetExtent();
-    require(std::equal(extent.begin(), extent.end(), made), "the picture has its extent");
+    require(std::equal(extent.begin(), extent.end(), made), "the picture has the requested extent");
     require(colors && colors->GetNumberOfTuples() == output->GetNumberOfPoints() &&
         colors->GetNumberOfComponents() == (this->Tracer->GetOutputAlpha() ? 4 : 3) &&
         colors->GetDataType() == this->Tracer->GetOutputScalarType(),
@@ -293,7 +293,7 @@ private:
   ErrorCount Count;
   int Threads;
   std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
-  bool HasArrays = false; ///< new inputs get some
+  bool HasArrays = false; ///< whether new inputs get arrays
   std::vector<lambent::adapters::SceneSettings::PassArray> PassArrays;
 };
 }

@@ -54,7 +54,7 @@ lambent::adapters::SceneSettings settingsOf(const FuzzSubject& subject)
   return result;
 }
 
-/// An array of the picture, and the memory for the same pass of brute force.
+/// An array of the picture, and the memory for the same pass by brute force.
 struct Expected
 {
   vtkDataArray* found;
@@ -109,7 +109,7 @@ void compareColors(
       colors->GetDataType() == VTK_FLOAT ? static_cast<double>(floats[k]) : bytes[k];
     const double found = colors->GetComponent(k / channels, static_cast<int>(k % channels));
     require(found == expected || (std::isnan(found) && std::isnan(expected)),
-      "each pixel is that of brute force");
+      "each pixel equals that of brute force");
   }
 }
 }
@@ -139,12 +139,12 @@ void compareWithBruteForce(const FuzzSubject& subject, const std::array<int, 6>&
   }
   const lambent::Report report =
     render(scene.scene(), image, one, nullptr, lambent::Settings::bruteForce(image.samplePart()));
-  require(report.outcome == lambent::Outcome::Done, "brute force can draw it, too");
+  require(report.outcome == lambent::Outcome::Done, "brute force renders it, too");
   compareColors(colors, floats, bytes);
   for (const Expected& expected : passes)
   {
     require(std::memcmp(expected.found->GetVoidPointer(0), expected.memory.data(),
               expected.memory.size()) == 0,
-      "each value of a pass is that of brute force");
+      "each value of a pass equals that of brute force");
   }
 }

@@ -17,7 +17,7 @@
 class vtkLambentRayTracer;
 class vtkPolyData;
 
-/// A ray tracer, and what it cannot be asked for.
+/// A ray tracer with the meshes and pass arrays that it was given, which it does not return.
 struct FuzzSubject
 {
   vtkLambentRayTracer* tracer;
@@ -25,7 +25,7 @@ struct FuzzSubject
   std::vector<lambent::adapters::SceneSettings::PassArray> passArrays;
 };
 
-/// Requires that the picture's values of this extent are those of brute force.
+/// Requires that the picture in this extent equals that of brute force.
 void compareWithBruteForce(const FuzzSubject& subject, const std::array<int, 6>& extent);
 
 #endif

@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-/// Of each attribute of a surface.
+/// The number of components of each attribute.
 constexpr int attributeComponents = 2;
 
 inline lambent::Vec3 vector(FuzzInput& input)
@@ -54,7 +54,7 @@ struct Tuples
   }
 
 private:
-  /// The cast alone would not be defined for what float cannot hold.
+  /// A cast would be undefined for values that a float cannot represent.
   static float toFloat(double value)
   {
     constexpr double largest = std::numeric_limits<float>::max();
@@ -114,10 +114,10 @@ struct MeshData
     }
   }
 
-  /// Any numbers of any type, or none.
+  /// Adds an attribute of any type, with arbitrary values or none.
   void addAttribute(FuzzInput& input, int tuples, bool isPerCell)
   {
-    constexpr std::size_t sizeOfNumber = 8; // of the largest ones
+    constexpr std::size_t sizeOfNumber = 8; // that of the largest types
     lambent::AttributeSpan span;
     span.type = static_cast<lambent::AttributeType>(input.choice(10));
     span.components = attributeComponents;

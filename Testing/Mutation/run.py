@@ -71,8 +71,8 @@ class Mutant:
                               stderr=subprocess.STDOUT, text=True, **keywords)
 
     def first_failure(self, tests):
-        """Where a test fails first, or None. Programs are built one by one, since often the first one
-        detects the mutation."""
+        """The place of the first failure, or None. Programs are built one by one, since the first one
+        often detects the mutation."""
         for test in tests:
             done = self.run("cmake", "--build", self.binaries, "--parallel", self.jobs,
                             "--target", test)
@@ -85,23 +85,23 @@ class Mutant:
         return None
 
     def failure_of(self, test, chosen):
-        """The first assertion that fails; it ends the program."""
+        """The first assertion that fails, which ends the program."""
         try:
             done = self.run(self.binaries / "bin" / test, "--gtest_throw_on_failure",
                             "--gtest_brief=1", "--gtest_filter=" + chosen, timeout=600)
         except subprocess.TimeoutExpired:
-            return test + " does not end"
+            return test + " timed out"
         if not done.returncode:
             return None
         places = [pathlib.Path(line.split(": Failure")[0]).name
                   for line in done.stdout.splitlines() if line.endswith(": Failure")]
-        return places[0] if places else f"{test} ends with {done.returncode}"
+        return places[0] if places else f"{test} exits with {done.returncode}"
 
     def outcome(self, path, old, new):
         """The result of one mutation: (whether it survives, a description)."""
         text = (ROOT / path).read_text()
         if text.count(old) != 1:
-            return True, f"is there {text.count(old)} times: correct mutations.py"
+            return True, f"its text occurs {text.count(old)} times: correct mutations.py"
         self.write(path, text.replace(old, new).encode())
         try:
             failure = self.first_failure(tests_of(path))
@@ -123,7 +123,7 @@ def main():
     mutant = Mutant(arguments.build, arguments.jobs)
     failure = mutant.first_failure(sorted({test for m in chosen for test in tests_of(m[0])}))
     if failure:
-        sys.exit("This fails without a mutation: " + failure)
+        sys.exit("A test fails without any mutation: " + failure)
     survivors = []
     for path, old, new, reason in chosen:
         survives, word = mutant.outcome(path, old, new)

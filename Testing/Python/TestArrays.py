@@ -42,14 +42,14 @@ class PictureTest(unittest.TestCase):
 class Arrays(PictureTest):
     GREY = np.array([[1, 256, 3], [65535, 5, 770]], np.uint16)
 
-    def test_another_order_of_bytes_is_the_same_number(self):
+    def test_byte_order_does_not_matter(self):
         for order in "<>=":
             array = self.GREY.astype(order + "u2")
             assert_images_equal(array, self.GREY)
             self.assertIn("by at most 1 of 65535", self.differ(array, self.GREY ^ 1))
         self.assertEqual(as_image(self.GREY.astype(">u2")).GetScalarComponentAsDouble(1, 1, 0, 0), 256)
 
-    def test_other_layouts_are_the_same_numbers(self):
+    def test_memory_layout_does_not_matter(self):
         whole = np.arange(5 * 7 * 3, dtype=np.uint8).reshape(5, 7, 3)
         read_only = whole.copy()
         read_only.flags.writeable = False
@@ -64,14 +64,14 @@ class Arrays(PictureTest):
         assert_images_equal(one_row, whole[:1])
         assert_images_equal(np.broadcast_to(np.uint8(9), (5, 7, 3)), np.full((5, 7, 3), 9, np.uint8))
 
-    def test_the_array_is_not_changed_nor_kept(self):
+    def test_the_array_is_neither_changed_nor_kept(self):
         array = self.GREY.astype(">u2")
         image = as_image(array)
         self.assertEqual(array.dtype.str, ">u2")
         array[:] = 0
         assert_images_equal(image, self.GREY)
 
-    def test_what_is_no_picture_is_told(self):
+    def test_arrays_that_are_not_images_are_refused(self):
         for kind in ("f2", ">f4", "f8", "i1", "i2", "i4", "u4", "u8", "bool", "c8", "O", "S1", "M8[s]"):
             array = np.zeros((2, 2, 3)).astype(kind)
             self.refuse(array, TypeError, "values are %s; they must be uint8" % array.dtype)
@@ -108,7 +108,7 @@ class Pillow(PictureTest):
         self.differ(red_blue, self.palette(BLUE, RED))  # the same indices
         assert_images_equal(red_blue, self.palette(GREEN, BLUE, RED, pixels=(2, 1, 1, 2)))
 
-    def test_transparent_colours(self):
+    def test_transparent_colours_become_alpha(self):
         for transparency in (1, b"\xff\x00"):
             assert_images_equal(self.palette(RED, BLUE, transparency=transparency),
                                 self.colours(RED + (255,), BLUE + (0,), BLUE + (0,), RED + (255,)))
@@ -119,7 +119,7 @@ class Pillow(PictureTest):
         image.info["transparency"] = 7
         assert_images_equal(image, self.colours(*4 * ((7, 0),)))
 
-    def test_modes_that_are_colours(self):
+    def test_colour_modes_are_supported(self):
         for mode, value in (("L", (200,)), ("LA", (200, 9)), ("RGB", RED), ("RGBA", RED + (9,))):
             image = Image.new(mode, (2, 2), value if len(value) > 1 else value[0])
             assert_images_equal(image, self.colours(*4 * (value,)))
@@ -129,7 +129,7 @@ class Pillow(PictureTest):
         swapped = Image.frombytes("I;16B", (2, 2), wide.astype(">u2").tobytes())
         assert_images_equal(swapped, wide)
 
-    def test_a_file_is_the_same_by_pillow(self):
+    def test_files_read_by_pillow_are_equal(self):
         path = os.path.join(self.folder, "palette.png")
         self.palette(RED, BLUE, transparency=1).save(path)
         with Image.open(path) as image:
@@ -153,7 +153,7 @@ class Pillow(PictureTest):
 class Settings(PictureTest):
     IMAGE = np.zeros((2, 2, 3), np.uint8)
 
-    def test_a_metric_is_a_name(self):
+    def test_unknown_metrics_are_refused(self):
         for metric in ([], {}, None, 1, ["max"], np.zeros(2), b"max", "MAX"):
             words = re.escape("the metric is %r; it must be one of 'max', 'rmse', 'ssim'" % (metric,))
             with self.assertRaisesRegex(ValueError, words):
@@ -161,7 +161,7 @@ class Settings(PictureTest):
             with self.assertRaisesRegex(ValueError, words):
                 assert_matches_baseline(self.IMAGE, "never", metric=metric)
 
-    def test_a_tolerance_is_a_number(self):
+    def test_only_numbers_are_accepted_as_tolerance(self):
         for tolerance in ([], None, 1j, 10 ** 400, -1, float("nan"), np.zeros(2)):
             with self.assertRaisesRegex(ValueError, "the tolerance is .*; it must be a number, 0 or larger"):
                 assert_images_equal(self.IMAGE, self.IMAGE, tolerance=tolerance)
@@ -180,7 +180,7 @@ class Baselines(PictureTest):
             with self.assertRaisesRegex(ValueError, "is the baseline itself"):
                 assert_matches_baseline(path, "none")
 
-    def test_a_png_that_is_no_file_is_an_error(self):
+    def test_paths_that_are_not_png_files_are_errors(self):
         for path in (self.folder, "/dev/null"):
             with self.assertRaisesRegex(ValueError, "'%s' cannot be read: it is " % path):
                 assert_images_equal(path, path)

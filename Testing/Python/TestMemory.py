@@ -87,19 +87,19 @@ class Memory(unittest.TestCase):
         gc.collect()
         self.assertLess(resident_memory() - before, 4000 * KILOBYTE)
 
-    def test_one_filter(self):
+    def test_one_filter_does_not_leak(self):
         tracer = vtkLambentRayTracer()
         self.expect_flat_memory(lambda k: self.draw(k, tracer))
 
-    def test_a_filter_each(self):
+    def test_new_filters_do_not_leak(self):
         self.expect_flat_memory(lambda k: self.draw(k, vtkLambentRayTracer()))
 
-    def test_comparing(self):
+    def test_comparing_does_not_leak(self):
         tracer = vtkLambentRayTracer()
         pictures = [self.draw(k, tracer) for k in (0, 2, 4)]
         self.expect_flat_memory(lambda k: assert_images_equal(pictures[k % 3], pictures[k % 3]))
 
-    def test_nothing_is_held(self):
+    def test_no_object_is_kept_alive(self):
         tracer = vtkLambentRayTracer()
         mesh = wavy_sheet(0)
         tracer.SetInputData(mesh)

@@ -79,13 +79,13 @@ class Kinds(unittest.TestCase):
         self.assertEqual([reader.GetText(key) for key in ("Title", "Long", "Last", "None")],
                          ["a picture", "x" * 99, "behind the pixels", None])
 
-    def test_all_kinds(self):
+    def test_all_colour_types_are_read(self):
         for colour, depths in DEPTHS.items():
             for depth in depths:
                 for is_interlaced in (False, True):
                     self.expect_the_same(colour, depth, is_interlaced)
 
-    def test_transparent_colours(self):
+    def test_transparent_colours_are_read(self):
         for depth in DEPTHS[GREY]:
             self.expect_the_same(GREY, depth, transparency=struct.pack(">H", 1))
         for depth in DEPTHS[RGB]:

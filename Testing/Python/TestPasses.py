@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data beside the picture, alpha and a background image, from Python: NumPy arrays in and out."""
+"""Passes, alpha and background images in Python, with NumPy arrays as input and output."""
 
 import unittest
 
@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from lambent import vtkLambentRayTracer
 
-# Pixel centres of 8 x 8 pixels of side 0.5, of which the square covers the middle 4 x 4.
+# Centres of 8 x 8 pixels of side 0.5. The square covers the middle 4 x 4 of them.
 CENTRES = -1.75 + 0.5 * np.arange(8)
 X, Y = np.meshgrid(CENTRES, CENTRES)  # row 0 is at the bottom
 HIT = np.maximum(abs(X), abs(Y)) < 1
@@ -45,7 +45,7 @@ class TestPasses(unittest.TestCase):
         self.assertEqual(found.dtype, kind)
         np.testing.assert_array_equal(found, wanted)
 
-    def test_depth_normals_positions_and_ids(self):
+    def test_depth_normals_positions_and_ids_are_arrays(self):
         self.tracer.GenerateDepthOn()
         self.tracer.GenerateNormalsOn()
         self.tracer.GeneratePositionsOn()
@@ -57,7 +57,7 @@ class TestPasses(unittest.TestCase):
         self.expect("CellIds", [0 * one], np.int64, -1)
         self.expect("InputIds", [0 * one], np.int64, -1)
 
-    def test_arrays_of_the_mesh(self):
+    def test_arrays_of_the_mesh_become_passes(self):
         points = vtk_to_numpy(self.mesh.GetPoints().GetData())
         heights = numpy_to_vtk(np.ascontiguousarray(points[:, 0] + 10 * points[:, 1]), deep=True)
         heights.SetName("height")
@@ -73,14 +73,14 @@ class TestPasses(unittest.TestCase):
         self.tracer.Update()
         self.assertEqual(self.tracer.GetOutput().GetPointData().GetNumberOfArrays(), 1)
 
-    def test_alpha(self):
+    def test_alpha_is_a_fourth_channel(self):
         self.tracer.OutputAlphaOn()
         color = self.array("Color")
         self.assertEqual(color.shape, (8, 8, 4))
         np.testing.assert_array_equal(color[..., 3], np.where(HIT, 255, 0))
         np.testing.assert_array_equal(color[~HIT], 0)
 
-    def test_a_background_image(self):
+    def test_a_numpy_array_can_be_the_background_image(self):
         pixels = np.arange(8 * 8 * 3, dtype=np.uint8).reshape(8, 8, 3)
         image = vtkImageData()
         image.SetDimensions(8, 8, 1)

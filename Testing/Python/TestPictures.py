@@ -70,7 +70,7 @@ class Equality(unittest.TestCase):
             assert_images_equal(*arguments, **options)
         return str(caught.exception)
 
-    def test_all_kinds_of_pictures_are_equal(self):
+    def test_all_kinds_of_pictures_can_be_compared(self):
         reader = vtkPNGReader()  # a filter like any other
         reader.SetFileName(self.png(image()))
         kinds = [image(), array(), self.path("some.png"), reader]
@@ -81,7 +81,7 @@ class Equality(unittest.TestCase):
                 "1 of 6 pixels differ, by at most 1 of 255; the first is (1, 1)\n"))
             self.assertIn("1 of 6 pixels differ", self.message(array(1), one))
 
-    def test_arrays_of_one_component_and_of_sixteen_bits(self):
+    def test_grey_and_16_bit_arrays_are_compared(self):
         grey = np.array([[1, 2, 3], [4, 5, 6]], np.uint8)
         assert_images_equal(grey, grey[:, :, np.newaxis])
         self.assertIn("(0, 1)", self.message(grey, np.array([[9, 2, 3], [4, 5, 6]], np.uint8)))
@@ -105,18 +105,18 @@ class Equality(unittest.TestCase):
             file = re.search(r"picture: +(\S.*)", message).group(1)
             assert_images_equal(file, image(change))
 
-    def test_the_largest_difference_is_held_against_the_tolerance(self):
+    def test_the_largest_difference_is_compared_with_the_tolerance(self):
         assert_images_equal(image(3), image(), tolerance=3)
         self.message(image(3), image(), tolerance=2.9)
 
-    def test_the_root_mean_square_is_held_against_the_tolerance(self):
+    def test_the_root_mean_square_is_compared_with_the_tolerance(self):
         root = (3 ** 2 / 18) ** 0.5
         assert_images_equal(image(3), image(), tolerance=root * 1.0001, metric="rmse")
         self.assertIn("root mean square", self.message(
             image(3), image(), tolerance=root * 0.9999, metric="rmse"))
         self.message(image(3), image(), metric="rmse")
 
-    def test_structural_similarity_is_known_or_said_to_be_unknown(self):
+    def test_structural_similarity_works_or_is_refused(self):
         if vtkLambentImageComparison.HasStructuralSimilarity():
             assert_images_equal(image(1), image(), tolerance=0.5, metric="ssim")
             self.message(image(1), image(), metric="ssim")
@@ -124,7 +124,7 @@ class Equality(unittest.TestCase):
             with self.assertRaisesRegex(RuntimeError, "VTK 9.4"):
                 assert_images_equal(image(), image(), metric="ssim")
 
-    def test_what_cannot_be_compared_differs(self):
+    def test_images_of_different_size_or_type_differ(self):
         wide = np.zeros((HEIGHT, WIDTH + 1, 3), np.uint8)
         message = self.message(wide, image())
         self.assertIn("the picture is 4 x 2, 3 components of unsigned char, but the baseline is "
@@ -140,7 +140,7 @@ class Equality(unittest.TestCase):
         self.assertNotIn("picture:", message)  # a PNG cannot hold it
         self.assertIn("difference:", message)
 
-    def test_a_filter_may_release_its_picture_when_the_next_has_taken_it(self):
+    def test_a_filter_may_release_its_picture_after_use(self):
         reader = vtkPNGReader()
         reader.SetFileName(self.png(image()))
         reader.ReleaseDataFlagOn()
@@ -157,7 +157,7 @@ class Equality(unittest.TestCase):
             tracer.SetBackground([value / 255] * 3)
             assert_images_equal(tracer, np.full((HEIGHT, WIDTH, 3), value, np.uint8))
 
-    def test_bad_settings_are_errors(self):
+    def test_invalid_settings_are_errors(self):
         for options, error, text in (
                 ({"metric": "rsme"}, ValueError, "'rsme'; it must be one of 'max', 'rmse', 'ssim'"),
                 ({"tolerance": -1}, ValueError, "-1; it must be a number, 0 or larger"),
@@ -170,7 +170,7 @@ class Equality(unittest.TestCase):
                 assert_matches_baseline(image(), "never", **options)
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "needs pipes with a name")
-    def test_a_pipe_is_written_to_and_stays(self):
+    def test_a_pipe_is_written_to_and_not_replaced(self):
         path = self.path("pipe")
         os.mkfifo(path)
         with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as reader:
@@ -178,7 +178,7 @@ class Equality(unittest.TestCase):
             self.assertEqual(reader.read(), b"content")
         self.assertTrue(stat.S_ISFIFO(os.stat(path).st_mode))
 
-    def test_what_is_no_picture_is_an_error(self):
+    def test_objects_that_are_not_images_are_refused(self):
         solid = vtkImageData()
         solid.SetDimensions(2, 2, 2)
         solid.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
@@ -207,7 +207,7 @@ class Equality(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "not a complete PNG file|the file is damaged: a check sum is wrong"):
                 assert_images_equal(self.path("damaged.png", content), image())
 
-    def test_errors_of_a_filter_are_errors_of_the_test(self):
+    def test_errors_of_a_filter_are_raised(self):
         tracer = vtkLambentRayTracer()
         tracer.AddInputDataObject(0, vtkPolyData())
         tracer.SetImageSize(0, 5)
@@ -217,7 +217,7 @@ class Equality(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "^vtkLambentRayTracer: Input port 0 .* 0 conn"):
             assert_images_equal(tracer, image())
 
-    def test_what_fails_further_up_does_not_leave_an_old_picture(self):
+    def test_upstream_errors_do_not_leave_an_old_picture(self):
         reader = vtkXMLPolyDataReader()
         source = vtkCubeSource()
         tracer = vtkLambentRayTracer()
@@ -246,7 +246,7 @@ class Baselines(SuiteTest):
     def run_unittest(self, **variables):
         return self.run_python("-m", "unittest", **variables)
 
-    def test_environment_accepts_and_tells(self):
+    def test_the_environment_variable_accepts_baselines(self):
         self.write_tests(self.TESTS)
         outcome = self.run_unittest()
         self.assertEqual(outcome.status, 1)
@@ -269,7 +269,7 @@ class Baselines(SuiteTest):
         self.assertIn("box.png (changed)", outcome.text)
         self.assertEqual(self.run_unittest(LENGTH="1.5").status, 0)
 
-    def test_two_pictures_of_one_name_are_not_accepted(self):
+    def test_two_pictures_with_the_same_name_are_refused(self):
         self.write_tests(self.TESTS, """
             class Other(unittest.TestCase):
                 def test_box(self):
@@ -279,13 +279,13 @@ class Baselines(SuiteTest):
         self.assertEqual(outcome.status, 1)
         self.assertIn("has accepted another picture under this name; give each its own name", outcome.text)
 
-    def test_only_one_accepts(self):
+    def test_only_the_value_1_accepts(self):
         self.write_tests(self.TESTS)
         for value in ("", "0", "yes"):
             self.assertEqual(self.run_unittest(LAMBENT_UPDATE_BASELINES=value).status, 1)
         self.assertEqual(self.baselines(), [])
 
-    def test_a_float_picture_has_no_baseline(self):
+    def test_float_pictures_are_refused_as_baselines(self):
         with self.assertRaisesRegex(ValueError, "3 of float.*SetOutputScalarTypeToUnsignedChar"):
             assert_matches_baseline(image(kind=VTK_FLOAT), "never")
 

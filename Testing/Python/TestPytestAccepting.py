@@ -40,14 +40,14 @@ class Accepting(PytestSuiteTest):
             assert_matches_baseline(box(3), "new")
         """
 
-    def test_expected_failures(self):
+    def test_expected_failures_are_not_accepted(self):
         for mark in ("@pytest.mark.xfail", "@pytest.mark.xfail(strict=True)",
                      "@pytest.mark.xfail(True, reason='now')",
                      "@pytest.mark.xfail('sys.version', reason='text')",
                      "@pytest.mark.xfail(raises=AssertionError)"):
             self.assertIn("1 xfailed", self.update(self.TEST % mark))
 
-    def test_marks_of_classes_modules_and_those_made_while_running(self):
+    def test_marks_of_modules_and_classes_and_dynamic_marks_count(self):
         self.assertIn("1 xfailed", self.update("pytestmark = pytest.mark.xfail", self.TEST % ""))
         self.assertIn("1 xfailed", self.update("""
             @pytest.mark.xfail
@@ -66,7 +66,7 @@ class Accepting(PytestSuiteTest):
                 assert_matches_baseline(box(2), "box")
             """))
 
-    def test_the_strict_ini_option(self):
+    def test_the_strict_ini_option_is_respected(self):
         self.write("pytest.ini", "[pytest]\nxfail_strict = true\n")
         self.assertIn("1 xfailed", self.update(self.TEST % "@pytest.mark.xfail"))
 
@@ -79,7 +79,7 @@ class Accepting(PytestSuiteTest):
                     assert_matches_baseline(box(2), "box")
             """))
 
-    def test_xfail_that_is_called(self):
+    def test_calls_of_xfail_and_skip_accept_nothing(self):
         for call in ("pytest.xfail('so')", "pytest.skip('so')"):
             text = self.update("""
                 def test_box():
@@ -89,7 +89,7 @@ class Accepting(PytestSuiteTest):
                 """ % call)
             self.assertIn("1 xfailed" if "xfail" in call else "1 skipped", text)
 
-    def test_a_test_that_fails_otherwise(self):
+    def test_tests_that_fail_later_accept_nothing(self):
         for rest in ("assert False", "raise ValueError", "pytest.fail('so')"):
             text = self.update("""
                 def test_box():
@@ -99,14 +99,14 @@ class Accepting(PytestSuiteTest):
                 """ % rest, status=1)
             self.assertIn("; not accepted, since the test has not passed", text)
 
-    def test_a_picture_that_should_differ(self):
+    def test_pictures_expected_to_differ_are_not_accepted(self):
         self.update("""
             def test_box():
                 with pytest.raises(AssertionError):
                     assert_matches_baseline(box(2), "box")
             """, status=1)
 
-    def test_pictures_of_a_fixture(self):
+    def test_pictures_of_fixtures_follow_the_test(self):
         fixture = """
             @pytest.fixture
             def checked():
@@ -117,7 +117,7 @@ class Accepting(PytestSuiteTest):
         self.update(fixture + "    raise ValueError\n", "def test_box(checked): pass", status=1)
         self.update(fixture, "def test_box(checked): pass", accepts=True)
 
-    def test_a_picture_that_the_test_changes_is_another(self):
+    def test_later_changes_to_an_image_are_not_accepted(self):
         text = self.update("""
             def test_box():
                 tracer = box(2)
@@ -130,7 +130,7 @@ class Accepting(PytestSuiteTest):
             """, status=1)
         self.assertIn("has accepted another picture under this name", text)
 
-    def test_what_passes_beside_it_is_accepted(self):
+    def test_other_tests_are_still_accepted(self):
         text = self.update("""
             def test_first():
                 assert_matches_baseline(box(3), "box")
@@ -143,7 +143,7 @@ class Accepting(PytestSuiteTest):
         self.write_tests(BOX.replace("(box()", "(box(2)"), name="test_other.py")
         self.run_pytest()
 
-    def test_marks_that_do_not_hold(self):
+    def test_inactive_marks_are_ignored(self):
         for mark, arguments in (("@pytest.mark.xfail(False, reason='never')", ()),
                                 ("@pytest.mark.xfail", ("--runxfail",))):
             self.update("""
@@ -155,7 +155,7 @@ class Accepting(PytestSuiteTest):
                 file.write(self.content)
             os.utime(self.baseline, (1, 1))
 
-    def test_without_a_baseline_there_is_none_afterwards(self):
+    def test_no_baseline_is_created_for_expected_failures(self):
         os.remove(self.baseline)
         self.write_tests(self.TEST % "@pytest.mark.xfail", """
             def test_called():
@@ -165,7 +165,7 @@ class Accepting(PytestSuiteTest):
         self.assertIn("2 xfailed", self.run_pytest("--lambent-update").text)
         self.assertEqual(self.baselines(), [])
 
-    def test_workers_do_the_same(self):
+    def test_workers_behave_the_same(self):
         try:
             import xdist  # noqa: F401
         except ImportError:
@@ -181,7 +181,7 @@ class Accepting(PytestSuiteTest):
                 assert_matches_baseline(box(2), "box")
             """, arguments=("-n", "2"))
 
-    def test_a_folder_or_an_unwritable_place_is_not_accepted(self):
+    def test_folders_and_unwritable_paths_are_not_accepted(self):
         os.makedirs(os.path.join(self.suite, "baselines", "folder.png"))
         os.symlink("/proc/x/a.png", os.path.join(self.suite, "baselines", "nowhere.png"))
         self.write_tests("""
@@ -193,7 +193,7 @@ class Accepting(PytestSuiteTest):
         self.assertIn("2 failed", run.text)
         self.assertNotIn("baselines written", run.text)
 
-    def test_a_baseline_that_is_a_link_stays_one(self):
+    def test_a_symbolic_link_to_a_baseline_is_kept(self):
         os.rename(self.baseline, os.path.join(self.suite, "kept.png"))
         os.symlink("../kept.png", self.baseline)
         self.update(BOX.replace("(box()", "(box(2)"), accepts=True)
@@ -201,7 +201,7 @@ class Accepting(PytestSuiteTest):
 
 
 class Reports(PytestSuiteTest):
-    def test_a_file_that_is_no_report_is_left_alone(self):
+    def test_files_that_are_not_reports_are_not_overwritten(self):
         self.write_tests(BOX)
         self.run_pytest("--lambent-update")
         for name in ("baselines/box.png", "drawing.py", "page.html"):

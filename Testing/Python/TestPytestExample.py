@@ -21,7 +21,7 @@ class Example(PytestSuiteTest):
         shutil.copy(os.path.join(EXAMPLES, "test_pictures.py"), self.suite)
         shutil.copytree(os.path.join(EXAMPLES, "baselines"), os.path.join(self.suite, "baselines"))
 
-    def test_it_passes_and_needs_each_of_its_baselines(self):
+    def test_the_example_passes_and_needs_all_its_baselines(self):
         self.assertIn("3 passed", self.run_pytest().text)
         self.assertEqual(self.baselines(), ["box.png"] + [
             "test_pictures/test_shrunk[%s].png" % factor for factor in ("0.5", "0.75")])

@@ -18,7 +18,7 @@ class Report(PytestSuiteTest):
         with open(os.path.join(self.suite, name), encoding="utf-8") as file:
             return file.read()
 
-    def test_it_has_all_pictures_inside(self):
+    def test_the_report_embeds_all_pictures(self):
         self.write_tests(BOX, """
             @pytest.mark.parametrize("sign", ["<b>&amp;"])
             def test_good(sign, lambent_baseline):
@@ -40,7 +40,7 @@ class Report(PytestSuiteTest):
             self.assertTrue(source.startswith("data:image/png;base64,"), source[:40])
         self.assertNotIn("http", page)
 
-    def test_it_is_written_when_all_is_well(self):
+    def test_the_report_is_also_written_on_success(self):
         self.write_tests("""
             def test_box():
                 assert_images_equal(box(1), box(1))
@@ -48,7 +48,7 @@ class Report(PytestSuiteTest):
         self.run_pytest("--lambent-report=report.html")
         self.assertIn("<h1>0 of 1 pictures differ</h1>", self.report())
 
-    def test_one_that_cannot_be_written_fails_the_run(self):
+    def test_an_unwritable_report_fails_the_run(self):
         self.write_tests("def test_nothing(): pass")
         self.write("file", "")
         run = self.run_pytest("--lambent-report", "file/report.html", status=1)
@@ -63,7 +63,7 @@ class Parallel(PytestSuiteTest):
             lambent_baseline(box(width=width))
         """
 
-    def test_workers_accept_fail_and_report_as_one(self):
+    def test_workers_write_one_report(self):
         self.write_tests(self.TESTS)
         run = self.run_pytest("-n", "2", "--lambent-update")
         written = ["test_box/test_box[%d].png" % width for width in range(40, 48)]
@@ -84,12 +84,12 @@ class Parallel(PytestSuiteTest):
         self.assertEqual(len(pictures), 8)
         self.assertTrue(all(map(os.path.isfile, pictures)))
 
-    def test_folders_that_options_name_are_those_of_the_main_process(self):
+    def test_paths_in_options_are_relative_to_the_main_process(self):
         self.write_tests(self.TESTS)
         self.run_pytest("-n", "2", "--lambent-update", "--lambent-baselines", "../all")
         self.assertEqual(len(self.baselines("../all")), 8)
 
-    def test_two_pictures_of_one_name_fail_the_run(self):
+    def test_two_pictures_with_the_same_name_fail_the_run(self):
         # Each waits until the other's worker also runs.
         self.write_tests("""
             import os, time
@@ -109,7 +109,7 @@ class Parallel(PytestSuiteTest):
                       % self.suite, run.text)
         self.assertEqual(self.baselines(), ["box.png"])  # a complete one, and no temporary file
 
-    def test_a_worker_may_die(self):
+    def test_a_crashed_worker_is_reported(self):
         self.write_tests(BOX, """
             def test_death():
                 import os

@@ -26,13 +26,13 @@ class Plugin(PytestSuiteTest):
             """)
         self.run_pytest()
 
-    def test_help_tells_the_options(self):
+    def test_help_lists_the_options(self):
         text = self.run_pytest("--help").text
         for option in ("--lambent-update", "--lambent-baselines=DIR", "--lambent-report=FILE",
                        "lambent_baselines (string)"):
             self.assertIn(option, text)
 
-    def test_without_the_plugin_the_environment_decides(self):
+    def test_without_the_plugin_the_environment_variable_accepts(self):
         self.write_tests(BOX)
         run = self.run_pytest("-p", "no:lambent", status=1)
         self.assertIn("LAMBENT_UPDATE_BASELINES=1 to accept it", run.text)
@@ -56,7 +56,7 @@ class Verdicts(PytestSuiteTest):
         assert_images_equal(drawn, os.path.join(self.suite, "baselines", "box.png"))
         self.assertNotIn("lambent", self.run_pytest("-q").text)
 
-    def test_another_picture_fails_and_its_files_are_named(self):
+    def test_a_different_picture_fails_and_its_files_are_listed(self):
         self.write_tests(BOX)
         self.run_pytest("--lambent-update")
         run = self.run_pytest(LENGTH="1.5", status=1)
@@ -78,14 +78,14 @@ class Verdicts(PytestSuiteTest):
         self.assertIn("box.png (changed)\n", run.text)
         assert_images_equal(path.replace("difference", "picture"), baseline)
 
-    def test_on_a_build_server_pytest_repeats_what_failed(self):
+    def test_on_a_build_server_failures_are_repeated(self):
         self.write_tests(BOX)
         self.run_pytest("--lambent-update")
         run = self.run_pytest(LENGTH="1.5", CI="true", status=1)
         baseline = os.path.join(self.suite, "baselines", "box.png")
         self.assertEqual(set(run.paths("baseline")), {baseline})
 
-    def test_what_passes_is_not_written_again(self):
+    def test_baselines_that_pass_are_not_rewritten(self):
         self.write_tests("""
             def test_box():
                 assert_matches_baseline(box(), "box", tolerance=255)
@@ -98,7 +98,7 @@ class Verdicts(PytestSuiteTest):
             self.assertNotIn("baselines written", run.text)
         self.assertEqual(os.stat(baseline).st_mtime, 1)
 
-    def test_another_size_fails(self):
+    def test_a_different_size_fails(self):
         self.write_tests(BOX)
         self.run_pytest("--lambent-update")
         self.write_tests(BOX.replace("box()", "box(width=61)"))
@@ -108,7 +108,7 @@ class Verdicts(PytestSuiteTest):
         self.run_pytest("--lambent-update")
         self.run_pytest()
 
-    def test_a_baseline_that_is_no_picture_fails_and_can_be_replaced(self):
+    def test_an_invalid_baseline_fails_and_can_be_replaced(self):
         self.write_tests(BOX)
         self.write("baselines/box.png", "version https://git-lfs.github.com/spec/v1\n")
         run = self.run_pytest(status=1)
@@ -117,7 +117,7 @@ class Verdicts(PytestSuiteTest):
         self.run_pytest("--lambent-update")
         self.run_pytest()
 
-    def test_two_pictures_of_one_name_are_not_accepted(self):
+    def test_two_pictures_with_the_same_name_are_refused(self):
         self.write_tests(BOX, """
             def test_other_box():
                 assert_matches_baseline(box(2), "box")
@@ -126,7 +126,7 @@ class Verdicts(PytestSuiteTest):
         self.assertIn("1 failed, 1 passed", run.text)
         self.assertIn("has accepted another picture under this name; give each its own name", run.text)
 
-    def test_failures_that_a_test_expects_are_not_shown(self):
+    def test_expected_failures_are_not_reported(self):
         self.write_tests("""
             def test_raises():
                 for length in (2, 3):
@@ -139,7 +139,7 @@ class Verdicts(PytestSuiteTest):
             """)
         self.assertNotIn("pictures that differ", self.run_pytest().text)
 
-    def test_images_of_a_fixture_are_shown_and_nothing_offers_to_accept_them(self):
+    def test_failures_of_fixtures_are_reported_without_a_hint_to_accept(self):
         self.write_tests("""
             @pytest.fixture
             def checked():
@@ -152,7 +152,7 @@ class Verdicts(PytestSuiteTest):
         self.assertEqual(len(set(run.paths("baseline"))), 1)
         self.assertNotIn("to accept", run.text)
 
-    def test_environment_accepts_as_well(self):
+    def test_the_environment_variable_accepts_baselines(self):
         self.write_tests(BOX)
         self.run_pytest(LAMBENT_UPDATE_BASELINES="1")
         self.run_pytest()
@@ -195,7 +195,7 @@ class Names(PytestSuiteTest):
             self.assertRegex(name, r"^test_box/test_odd[\w.\[\]]{1,100}-[0-9a-f]{8}\.png$")
         self.assertFalse(set(os.listdir(self.folder)) - {"suite", "temporary"})
 
-    def test_baselines_are_beside_the_test_even_if_a_helper_asks(self):
+    def test_baselines_are_next_to_the_test_even_if_a_helper_compares(self):
         self.write("helper.py", """
             from lambent.testing import assert_matches_baseline
             def check(picture):
@@ -233,7 +233,7 @@ class Names(PytestSuiteTest):
         self.run_pytest("--lambent-update", "-o", "lambent_baselines=instead", "two")
         self.assertEqual(self.baselines("instead"), ["two/test_two/test_box.png"])
 
-    def test_names_that_lead_elsewhere_are_errors(self):
+    def test_invalid_baseline_names_are_errors(self):
         names = ["", ".", "..", "../box", "a/../../box", "/box", "a//b", "a/", ".png", ".hidden",
                  "a\\b", "c:box", "a\nb", "a\0", "end.", "end ", "a*", "a?", None, 3]
         self.write_tests("""

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief expect an error, an empty output, and a good picture after it
+ * @brief expect an error, an empty output, and the right picture afterwards
  */
 #ifndef ExpectedErrors_h
 #define ExpectedErrors_h
@@ -14,8 +14,8 @@
 
 using Change = std::function<void(Studio&)>;
 
-/// Renders a good picture. `spoil` makes a setting bad and `mend` restores it: there must be an
-/// error with these parts, then the same picture again.
+/// Renders a picture, calls `spoil`, which makes a setting invalid, and expects an error with these
+/// parts. Then calls `mend`, which restores the setting, and expects the same picture.
 inline void expectError(
   const Change& spoil, const std::vector<std::string>& parts, const Change& mend)
 {

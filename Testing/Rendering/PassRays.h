@@ -18,7 +18,7 @@
 #include <limits>
 #include <vector>
 
-/// What a ray meets first. Near an edge it is not certain that the core sees the same.
+/// The first hit of a ray. Near an edge it is not certain that the core finds the same.
 struct LongHit
 {
   long double depth = std::numeric_limits<long double>::infinity(); ///< along the viewing direction
@@ -44,7 +44,7 @@ struct LongHit
 class LongRays
 {
 public:
-  /// Cells are cut into fans.
+  /// Adds the triangles of the cells, as fans.
   void add(vtkPolyData* mesh)
   {
     vtkNew<vtkIdList> ids;
@@ -131,7 +131,7 @@ inline vtkDataArray* passOf(vtkImageData* image, const char* name)
   return array;
 }
 
-/// The bits of one pixel's tuple.
+/// The bits of a pixel's tuple.
 inline std::string tupleBits(vtkDataArray* array, vtkIdType pixel)
 {
   const int size = array->GetNumberOfComponents() * array->GetDataTypeSize();
@@ -139,7 +139,7 @@ inline std::string tupleBits(vtkDataArray* array, vtkIdType pixel)
     static_cast<std::size_t>(size) };
 }
 
-/// All arrays have, at a pixel of a part, the bits of a pixel of the whole.
+/// Expects that all arrays have the same bits at a pixel of a part and at a pixel of the whole.
 inline void expectSameArrays(
   vtkImageData* part, vtkIdType pixel, vtkImageData* whole, vtkIdType pixelOfWhole)
 {
@@ -153,7 +153,7 @@ inline void expectSameArrays(
   }
 }
 
-/// Adds an array of this type, of random numbers from 0 to 100, to the points or the cells.
+/// Adds an array of this type with random numbers from 0 to 100 to the points or the cells.
 inline vtkSmartPointer<vtkDataArray> addArray(vtkPolyData* mesh, int association, int type,
   const char* name, int components, unsigned int seed = 1)
 {
@@ -174,7 +174,7 @@ inline vtkSmartPointer<vtkDataArray> addArray(vtkPolyData* mesh, int association
   return array;
 }
 
-/// Looks along -z at the unit squares [i, i + 1] x [j, j + 1] at z = 0, one for each pixel.
+/// Looks along -z, so that pixel (i, j) shows the unit square [i, i + 1] x [j, j + 1] at z = 0.
 inline void lookAtUnitSquares(Studio& studio)
 {
   studio.camera->ParallelProjectionOn();

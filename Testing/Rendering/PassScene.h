@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief a scene whose picture has every pass, and what a pass has where nothing is hit
+ * @brief a scene whose picture has every pass, and the values of passes where no surface is hit
  */
 #ifndef PassScene_h
 #define PassScene_h
@@ -32,7 +32,7 @@ inline Mesh moved(const Mesh& mesh, const Vec& by)
   return result;
 }
 
-/// A ball in front of a box, at a place.
+/// A ball in front of a box at a given place.
 struct BallAndBox
 {
   Studio studio{ passWidth, passHeight };

@@ -49,7 +49,7 @@ public:
     return color;
   }
 
-  /// The alpha of a pixel of a picture that has it.
+  /// The alpha of a pixel. The picture must have alpha.
   double alpha(int i, int j) const { return this->colors()->GetComponent(this->index(i, j), 3); }
 
   /// The bits of the pixels [i0, i1) of a row.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures with alpha: laid over a background by hand they are the opaque pictures, without a dark
-// fringe. That alpha and colours have the bits of the definition is tested with the core.
+// Pictures with alpha equal the opaque pictures after compositing over a background, without a dark
+// fringe. The tests of the core compare their bits with the definition.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -21,7 +21,7 @@ void setUp(Studio& studio, int samples)
   studio.tracer->SetSupersampling(samples);
 }
 
-/// With alpha; its background must be black, or there is a warning.
+/// A picture with alpha. The background must be black, because otherwise there is a warning.
 Picture transparent(int samples, int type)
 {
   Studio studio(width, height);
@@ -37,7 +37,7 @@ Picture transparent(int samples, int type)
 }
 }
 
-TEST(Alpha, LaidOverABackgroundIsTheOpaquePicture)
+TEST(Alpha, CompositingGivesTheOpaquePicture)
 {
   const Vec background(0.25, 0.5, 0.75);
   for (const int samples : { 1, 3 })
@@ -65,7 +65,7 @@ TEST(Alpha, LaidOverABackgroundIsTheOpaquePicture)
   }
 }
 
-TEST(Alpha, OfBytesIsTheFractionOf255)
+TEST(Alpha, IsAFractionOf255InBytes)
 {
   for (const int samples : { 1, 3 })
   {
@@ -81,7 +81,7 @@ TEST(Alpha, OfBytesIsTheFractionOf255)
   }
 }
 
-// Where a white square ends, half a pixel is white and not grey.
+// A half-covered pixel at the edge of a white square is white, not grey.
 TEST(Alpha, HasNoDarkFringe)
 {
   for (const int type : { VTK_FLOAT, VTK_UNSIGNED_CHAR })
@@ -108,7 +108,7 @@ TEST(Alpha, HasNoDarkFringe)
   }
 }
 
-// With one sample alpha only says where something was hit; the colours there are the opaque ones.
+// With one sample, alpha is 0 or 1, and the colours of surfaces are those of the opaque picture.
 TEST(Alpha, ChangesNoColourOfASurface)
 {
   Studio studio(width, height);
@@ -124,7 +124,7 @@ TEST(Alpha, ChangesNoColourOfASurface)
   }
 }
 
-TEST(Alpha, OfAnEmptySceneIsZero)
+TEST(Alpha, IsZeroWithoutSurfaces)
 {
   for (const int type : { VTK_FLOAT, VTK_UNSIGNED_CHAR })
   {
@@ -139,7 +139,7 @@ TEST(Alpha, OfAnEmptySceneIsZero)
   }
 }
 
-TEST(Alpha, OfPartsEqualsTheWhole)
+TEST(Alpha, PartsEqualThoseOfTheWhole)
 {
   const Picture whole = transparent(3, VTK_UNSIGNED_CHAR);
   Studio studio(width, height);
@@ -155,8 +155,8 @@ TEST(Alpha, OfPartsEqualsTheWhole)
   }
 }
 
-// Filters downstream learn of the fourth component before there is a picture.
-TEST(Alpha, IsAnnouncedToThePipeline)
+// Downstream filters get the number of components before the picture is rendered.
+TEST(Alpha, IsInThePipelineInformation)
 {
   for (const bool hasAlpha : { false, true, false })
   {
@@ -175,8 +175,8 @@ TEST(Alpha, IsAnnouncedToThePipeline)
   }
 }
 
-// The background is of no use then, which is said once.
-TEST(Alpha, WithABackgroundCausesAWarning)
+// A background has no effect with alpha, which causes one warning.
+TEST(Alpha, CausesAWarningIfThereIsABackground)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(1, 1, 1);
@@ -201,7 +201,7 @@ TEST(Alpha, WithABackgroundCausesAWarning)
       { setting == "Background2" ? "SetBackground()" : setting, "no effect", "OutputAlpha",
         "OutputAlphaOff()" });
     studio.camera->Azimuth(1.0);
-    studio.tracer->Update(); // not once a picture
+    studio.tracer->Update(); // not once per picture
     EXPECT_EQ(messages.warnings().size(), 1u);
     EXPECT_TRUE(messages.errors().empty());
   }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Images behind the surfaces. That they are interpolated with the bits of the definition is tested
-// with the core.
+// Background images. The tests of the core compare their bits with the definition.
 #include "Meshes.h"
 #include "Messages.h"
 
@@ -10,7 +9,7 @@
 
 namespace
 {
-/// An image of random numbers from 0 to 255, or to 1.
+/// An image of random numbers from 0 to 255 for bytes, or from 0 to 1.
 vtkSmartPointer<vtkImageData> makeImage(
   int width, int height, int components, int type, unsigned int seed = 1)
 {
@@ -51,7 +50,7 @@ void setUp(Studio& studio, int samples)
 }
 }
 
-TEST(BackgroundImages, OfThePicturesSizeAreReproduced)
+TEST(BackgroundImages, AreReproducedExactlyAtThePicturesSize)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
   {
@@ -60,7 +59,7 @@ TEST(BackgroundImages, OfThePicturesSizeAreReproduced)
   }
 }
 
-TEST(BackgroundImages, OfGreyAndAlpha)
+TEST(BackgroundImages, MayBeGreyAndHaveAlpha)
 {
   const double base[3] = { 0.0, 0.5, 1.0 };
   for (const int components : { 1, 2, 3, 4 })
@@ -82,8 +81,8 @@ TEST(BackgroundImages, OfGreyAndAlpha)
   }
 }
 
-// Half the pixel lies on either side of its centre.
-TEST(BackgroundImages, OfOtherSizesAreInterpolated)
+// A pixel extends half its width on either side of its centre.
+TEST(BackgroundImages, AreInterpolatedAtOtherSizes)
 {
   const auto image = makeImage(5, 4, 3, VTK_FLOAT);
   const Picture from(image);
@@ -103,8 +102,8 @@ TEST(BackgroundImages, OfOtherSizesAreInterpolated)
   }
 }
 
-// Only its pixels count: neither where it lies nor how its memory is arranged.
-TEST(BackgroundImages, InOtherPlacesAndLayouts)
+// Only the pixels matter, not the image's position or its memory layout.
+TEST(BackgroundImages, MayHaveAnyPositionAndLayout)
 {
   const auto image = makeImage(12, 9, 3, VTK_UNSIGNED_CHAR);
   const Picture expected = pictureOf(image, 30, 20, VTK_UNSIGNED_CHAR);
@@ -150,7 +149,7 @@ TEST(BackgroundImages, LieBehindTheSurfaces)
   EXPECT_GT(hits, 300);
 }
 
-TEST(BackgroundImages, OfPartsEqualThoseOfTheWhole)
+TEST(BackgroundImages, PartsEqualThoseOfTheWhole)
 {
   for (const int samples : { 1, 3 })
   {
@@ -172,8 +171,8 @@ TEST(BackgroundImages, OfPartsEqualThoseOfTheWhole)
   }
 }
 
-// It is shared with the caller: what changes there is seen in the next picture, and only then.
-TEST(BackgroundImages, ThatChangedAreRenderedAgain)
+// The image is shared with the caller. Changes to it affect the next picture, but not the last one.
+TEST(BackgroundImages, ChangesAreRendered)
 {
   Studio studio(8, 6);
   studio.tracer->SetInputData(Mesh::New());

@@ -47,7 +47,7 @@ TEST(BadInput, CellsWithMissingPoints)
   {
     for (int interpolation : { VTK_PHONG, VTK_FLAT })
     {
-      const std::string point = "names point " + std::to_string(wrong);
+      const std::string point = "uses point " + std::to_string(wrong);
       const std::vector<std::string> parts{ "cell 4 ", point, "4 points", "0 to 3",
         "Correct the connectivity" };
       // The third polygon, after a vertex and a line, as a triangle, a quad and a strip.
@@ -86,9 +86,9 @@ TEST(BadInput, CellsWithoutAnyPoints)
 {
   Mesh mesh = Mesh::New();
   mesh->SetPolys(makeCells({ { 0, 1, 2 } }));
-  expectError(mesh, { "cell 0 ", "names point 0", "no points" });
+  expectError(mesh, { "cell 0 ", "uses point 0", "no points" });
   mesh->SetPoints(vtkNew<vtkPoints>());
-  expectError(mesh, { "cell 0 ", "names point 0", "no points" });
+  expectError(mesh, { "cell 0 ", "uses point 0", "no points" });
 }
 
 // vtkPoints rejects an array of two components, but does not notice if its array changes later.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pass arrays and background images that no picture can be made with: an error that names them
-// and the remedy, an empty output, and the next good picture right.
+// Invalid pass arrays and background images cause an error that names them and the remedy, and an
+// empty output. The next valid picture is right.
 #include "ExpectedErrors.h"
 
 #include "vtkStringArray.h"
@@ -69,8 +69,8 @@ vtkSmartPointer<vtkImageData> makeImage(int depth, int components, int type)
 }
 }
 
-// Also where the picture does not have that array now, and where no input has one of that name.
-TEST(BadPasses, NamesThatThePictureUsesItself)
+// This also holds if the picture does not have that array now, or if no input has one of that name.
+TEST(BadPasses, RefusesNamesOfThePicturesOwnArrays)
 {
   for (const char* name : { "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" })
   {
@@ -85,7 +85,7 @@ TEST(BadPasses, NamesThatThePictureUsesItself)
   }
 }
 
-TEST(BadPasses, OneNameTwice)
+TEST(BadPasses, RefusesTheSameNameTwice)
 {
   for (const int second : { points, cells })
   {
@@ -106,7 +106,7 @@ TEST(BadPasses, OneNameTwice)
   }
 }
 
-TEST(BadPasses, Association)
+TEST(BadPasses, RefusesUnknownAssociations)
 {
   for (const int association : { -1, static_cast<int>(vtkDataObject::FIELD_ASSOCIATION_NONE),
          static_cast<int>(vtkDataObject::FIELD_ASSOCIATION_ROWS), 99 })
@@ -118,8 +118,8 @@ TEST(BadPasses, Association)
   }
 }
 
-// Refused at once: nothing is added.
-TEST(BadPasses, NoName)
+// An empty name is refused at once, and nothing is added.
+TEST(BadPasses, RefusesAnEmptyName)
 {
   for (const char* name : { static_cast<const char*>(nullptr), "" })
   {
@@ -138,7 +138,7 @@ TEST(BadPasses, NoName)
   }
 }
 
-TEST(BadPasses, ArraysOfTheWrongLength)
+TEST(BadPasses, RefusesArraysOfTheWrongLength)
 {
   for (const vtkIdType tuples : { 0, 3, 5 })
   {
@@ -150,7 +150,7 @@ TEST(BadPasses, ArraysOfTheWrongLength)
     { "Input 1:", "cell array \"Part\"", "2 tuples of 1", "1 cells", "RemoveAllPassArrays()" });
 }
 
-TEST(BadPasses, InputsThatDifferInComponents)
+TEST(BadPasses, RefusesInputsThatDifferInComponents)
 {
   expectError(
     [&](Studio& s)
@@ -170,13 +170,13 @@ TEST(BadPasses, InputsThatDifferInComponents)
     });
 }
 
-TEST(BadPasses, ArraysThatNoInputHasCauseAWarning)
+TEST(BadPasses, WarnsOfArraysThatNoInputHas)
 {
   Studio studio(4, 3);
   Messages messages(studio.tracer);
   const Mesh square = makeSquareWith("Heat", 4, 1, false);
   square->GetPointData()->AddArray(zeros("Flow", 4, 3));
-  vtkNew<vtkStringArray> words; // which no picture can show
+  vtkNew<vtkStringArray> words; // a pass cannot show strings
   words->SetName("Words");
   words->SetNumberOfValues(4);
   square->GetPointData()->AddArray(words);
@@ -195,13 +195,13 @@ TEST(BadPasses, ArraysThatNoInputHasCauseAWarning)
     EXPECT_TRUE(std::isnan(pass->GetComponent(pixel, 0)));
   }
   studio.camera->Azimuth(1.0);
-  studio.tracer->Update(); // not once a picture
+  studio.tracer->Update(); // not once per picture
   EXPECT_EQ(messages.warnings().size(), 1u);
   messages.clear();
   studio.tracer->RemoveAllPassArrays();
-  studio.tracer->AddPassArray(cells, "Heat"); // which is one of points
+  studio.tracer->AddPassArray(cells, "Heat"); // a point array
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "cell array \"Heat\"", "There are none." });
+  expectMessage(messages.warnings(), { "cell array \"Heat\"", "The inputs have none." });
   messages.clear();
   studio.tracer->RemoveAllPassArrays();
   studio.tracer->AddPassArray(points, "Heat"); // the remedy
@@ -210,7 +210,7 @@ TEST(BadPasses, ArraysThatNoInputHasCauseAWarning)
   EXPECT_TRUE(messages.errors().empty());
 }
 
-TEST(BadPasses, BackgroundImagesWithoutScalars)
+TEST(BadPasses, RefusesBackgroundImagesWithoutScalars)
 {
   vtkNew<vtkImageData> empty, bare, none;
   bare->SetDimensions(4, 3, 1);
@@ -222,7 +222,7 @@ TEST(BadPasses, BackgroundImagesWithoutScalars)
   }
 }
 
-TEST(BadPasses, BackgroundImagesOfOtherTypes)
+TEST(BadPasses, RefusesBackgroundImagesOfOtherTypes)
 {
   for (const auto& [type, name] : { std::make_pair(VTK_DOUBLE, "double"),
          std::make_pair(VTK_SHORT, "short"), std::make_pair(VTK_UNSIGNED_SHORT, "unsigned short"),
@@ -234,7 +234,7 @@ TEST(BadPasses, BackgroundImagesOfOtherTypes)
   }
 }
 
-TEST(BadPasses, BackgroundImagesOfTooManyComponents)
+TEST(BadPasses, RefusesBackgroundImagesWithTooManyComponents)
 {
   for (const int components : { 5, 9 })
   {
@@ -244,13 +244,13 @@ TEST(BadPasses, BackgroundImagesOfTooManyComponents)
   }
 }
 
-TEST(BadPasses, BackgroundImagesOfSeveralSlices)
+TEST(BadPasses, RefusesBackgroundImagesWithSeveralSlices)
 {
   expectErrorOfImage(makeImage(2, 3, VTK_UNSIGNED_CHAR),
     { "SetBackgroundImage()", "of 2 slices", "it takes one", "vtkExtractVOI" });
 }
 
-TEST(BadPasses, BackgroundImagesOfTheWrongLength)
+TEST(BadPasses, RefusesBackgroundImagesOfTheWrongLength)
 {
   const auto image = makeImage(1, 3, VTK_FLOAT);
   image->GetPointData()->SetScalars(zeros("Color", 11, 3));

@@ -144,8 +144,8 @@ TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
   studio.tracer->SetInputData(makeSquare());
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
-  studio.property->SetSpecularPower(30.0); // there are no highlights
-  studio.property->SetLineWidth(3.0);      // there are no lines
+  studio.property->SetSpecularPower(30.0); // highlights are not supported
+  studio.property->SetLineWidth(3.0);      // nor are lines
   studio.property->BackfaceCullingOn();
   vtkNew<vtkLight> fresh, head;
   head->SetLightTypeToHeadlight();

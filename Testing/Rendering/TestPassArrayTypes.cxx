@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of all types and memory layouts as arrays of the picture.
+// Pass arrays of all types and memory layouts.
 #include "Messages.h"
 #include "PassRays.h"
 
@@ -13,8 +13,8 @@ constexpr int points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 constexpr int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 }
 
-// Numbers that float holds become float, others double.
-TEST(PassArrayTypes, HaveTypesThatHoldTheirNumbers)
+// Arrays become float if float can hold their numbers exactly, otherwise double.
+TEST(PassArrayTypes, OutputTypesCanHoldTheNumbers)
 {
   const std::pair<int, int> types[] = { { VTK_CHAR, VTK_FLOAT }, { VTK_SIGNED_CHAR, VTK_FLOAT },
     { VTK_UNSIGNED_CHAR, VTK_FLOAT }, { VTK_SHORT, VTK_FLOAT }, { VTK_UNSIGNED_SHORT, VTK_FLOAT },
@@ -30,7 +30,7 @@ TEST(PassArrayTypes, HaveTypesThatHoldTheirNumbers)
       lookAtUnitSquares(studio);
       const Mesh grid = makeGrid(4, 0.0, 0.0);
       const auto array = addArray(grid, association, type, "Numbers", 2);
-      // Ascending in x, and the same all over: interpolated without a rounding.
+      // The values ascend evenly in x, so they are interpolated without rounding.
       for (vtkIdType k = 0; k < array->GetNumberOfTuples(); ++k)
       {
         array->SetComponent(k, 0,
@@ -58,7 +58,7 @@ TEST(PassArrayTypes, HaveTypesThatHoldTheirNumbers)
   }
 }
 
-TEST(PassArrayTypes, KeepLargeIntegersAndDoubles)
+TEST(PassArrayTypes, LargeIntegersAndDoublesAreExact)
 {
   Studio studio(2, 2);
   const Mesh square = makeSquare();
@@ -78,7 +78,7 @@ TEST(PassArrayTypes, KeepLargeIntegersAndDoubles)
 
 namespace
 {
-/// The pass of an array of another memory layout but the same numbers.
+/// Expects that an array with another memory layout gives the same pass.
 template <typename Value>
 void expectOfLayout(int type, int expectedType)
 {
@@ -110,7 +110,7 @@ void expectOfLayout(int type, int expectedType)
 }
 }
 
-TEST(PassArrayTypes, OfOtherMemoryLayouts)
+TEST(PassArrayTypes, MemoryLayoutsDoNotMatter)
 {
   expectOfLayout<float>(VTK_FLOAT, VTK_FLOAT);
   expectOfLayout<double>(VTK_DOUBLE, VTK_DOUBLE);
@@ -118,8 +118,8 @@ TEST(PassArrayTypes, OfOtherMemoryLayouts)
   expectOfLayout<unsigned char>(VTK_UNSIGNED_CHAR, VTK_FLOAT);
 }
 
-// Bytes in one input and doubles in the other: the picture holds both.
-TEST(PassArrayTypes, OfSeveralInputsAreOfTheWiderType)
+// One input has bytes and the other doubles. The picture's array can hold both.
+TEST(PassArrayTypes, SeveralInputsGetTheWidestType)
 {
   Studio studio(2, 1);
   lookAtUnitSquares(studio);
@@ -137,8 +137,8 @@ TEST(PassArrayTypes, OfSeveralInputsAreOfTheWiderType)
   EXPECT_EQ(valueAt(studio, "Mixed", 1), 0.1);
 }
 
-// A filter that made nothing of nothing still has the array: the form does not change.
-TEST(PassArrayTypes, OfEmptyInputsKeepTheirForm)
+// An empty input may still have the array, which then determines the output's type.
+TEST(PassArrayTypes, EmptyInputsKeepTypeAndComponents)
 {
   Studio studio(3, 2);
   const Messages messages(studio.tracer);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of the inputs as arrays of the picture, compared with an interpolation in long double.
+// Pass arrays, compared with an interpolation in long double.
 #include "Messages.h"
 #include "PassRays.h"
 
@@ -13,8 +13,8 @@ constexpr int cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 constexpr int width = 61, height = 45;
 }
 
-// Three inputs; the last one has neither array.
-TEST(PassArrays, AreInterpolatedAtPointsAndTakenAtCells)
+// There are three inputs, the last of which has neither array.
+TEST(PassArrays, PointArraysAreInterpolatedAndCellArraysAreNot)
 {
   for (const bool isParallel : { false, true })
   {
@@ -74,8 +74,8 @@ TEST(PassArrays, AreInterpolatedAtPointsAndTakenAtCells)
   }
 }
 
-// In vtkPolyData vertices come first, then lines, polygons and strips.
-TEST(PassArrays, OfCellsCountAllCellsOfAMesh)
+// In vtkPolyData, vertices come first, then lines, polygons and strips.
+TEST(PassArrays, CellArraysIncludeVerticesAndLines)
 {
   Studio studio(4, 1);
   lookAtUnitSquares(studio);
@@ -103,8 +103,8 @@ TEST(PassArrays, OfCellsCountAllCellsOfAMesh)
   }
 }
 
-// Corners with normals of their own still have the values of their points.
-TEST(PassArrays, OfPointsDoNotDependOnNormals)
+// Corners with separate normals still have the values of their points.
+TEST(PassArrays, PointArraysDoNotDependOnNormals)
 {
   const auto flow = [](bool isSmooth, bool isSplit)
   {
@@ -129,7 +129,7 @@ TEST(PassArrays, OfPointsDoNotDependOnNormals)
   EXPECT_EQ(flow(true, false), flow(false, true));
 }
 
-TEST(PassArrays, OfPartsAndMiddleSamplesEqualTheWhole)
+TEST(PassArrays, PartsAndMiddleSamplesEqualTheWhole)
 {
   const auto setUp = [](Studio& studio, int samples)
   {
@@ -167,8 +167,8 @@ TEST(PassArrays, OfPartsAndMiddleSamplesEqualTheWhole)
   }
 }
 
-// The values of an array that changed are those of the next picture; removed arrays are gone.
-TEST(PassArrays, FollowTheInput)
+// The next picture has the values of a changed array, and no removed array.
+TEST(PassArrays, ChangesAreRendered)
 {
   Studio studio(2, 2);
   const Mesh square = makeSquare();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// "Normals" beside the colours, compared with geometry.
+// The pass "Normals", compared with geometry.
 #include "PassScene.h"
 
 namespace
@@ -8,7 +8,7 @@ namespace
 constexpr int width = passWidth, height = passHeight;
 }
 
-// On the ball they are interpolated from the points, on the box those of its faces.
+// On the ball, point normals are interpolated. The box has face normals.
 TEST(PassNormals, AreTheUnitNormalsThatShadingUses)
 {
   for (const bool isParallel : { false, true })
@@ -48,7 +48,7 @@ TEST(PassNormals, AreTheUnitNormalsThatShadingUses)
   }
 }
 
-// Looking into a tube: its inside is seen from behind.
+// The view is into a tube, whose inside is seen from behind.
 TEST(PassNormals, FaceTheViewerWithTwoSidedLighting)
 {
   for (const bool isTwoSided : { true, false })
@@ -81,8 +81,8 @@ TEST(PassNormals, FaceTheViewerWithTwoSidedLighting)
   }
 }
 
-// Flat and unlit surfaces have the normals of their faces, even if they have point normals.
-TEST(PassNormals, OfFlatAndUnlitSurfacesAreThoseOfTheFaces)
+// Flat and unlit surfaces show face normals, even if they have point normals.
+TEST(PassNormals, AreFaceNormalsOnFlatAndUnlitSurfaces)
 {
   const Mesh slanted =
     makeMesh({ { -9.0, -9.0, -9.0 }, { 9.0, -9.0, 9.0 }, { 9.0, 9.0, 9.0 }, { -9.0, 9.0, -9.0 } },
@@ -102,7 +102,7 @@ TEST(PassNormals, OfFlatAndUnlitSurfacesAreThoseOfTheFaces)
   }
 }
 
-TEST(PassNormals, ThatAreZeroAreNotANumber)
+TEST(PassNormals, AreNaNWhereThePointNormalsAreZero)
 {
   const Mesh square = makeSquare();
   setPointNormals(square, std::vector<Vec>(4, Vec(0.0)));

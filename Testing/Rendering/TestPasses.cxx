@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// "Depth" and "Positions" beside the colours, and what all passes have in common. That the kernels
-// give the bits of the definition is tested with the core; here they are compared with geometry.
+// The passes "Depth" and "Positions", compared with geometry, and tests of all passes. The tests of
+// the core compare the bits with the definition.
 #include "Messages.h"
 #include "PassScene.h"
 
@@ -14,8 +14,8 @@ namespace
 constexpr int width = passWidth, height = passHeight;
 }
 
-// Also at the coordinates of maps.
-TEST(Passes, DepthsAndPositionsAreThoseOfTheRays)
+// The coordinates may be as large as those of maps.
+TEST(Passes, DepthsAndPositionsAgreeWithRays)
 {
   for (const Vec& place : { Vec(0.0), Vec(691876.25, 5334823.5, 519.125) })
   {
@@ -53,7 +53,7 @@ TEST(Passes, DepthsAndPositionsAreThoseOfTheRays)
   }
 }
 
-TEST(Passes, CellIdsAndPositionsAreThoseOfACellLocator)
+TEST(Passes, CellIdsAndPositionsAgreeWithACellLocator)
 {
   const BallAndBox scene(Vec(0.0), false);
   std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators;
@@ -121,10 +121,10 @@ TEST(Passes, HaveTheirNamesTypesAndSizes)
     EXPECT_EQ(found->GetNumberOfTuples(), 21) << array.name;
   }
   EXPECT_STREQ(data->GetScalars()->GetName(), "Color");
-  EXPECT_EQ(data->GetNormals(), nullptr); // an image has none of its own
+  EXPECT_EQ(data->GetNormals(), nullptr); // not the active normals of the image
 }
 
-TEST(Passes, ChangeNoColour)
+TEST(Passes, DoNotChangeColours)
 {
   Studio studio(width, height);
   studio.look({ 2.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 });
@@ -135,7 +135,7 @@ TEST(Passes, ChangeNoColour)
   EXPECT_LT(without.count(Studio::background()), width * height);
 }
 
-TEST(Passes, OfPartsEqualTheWhole)
+TEST(Passes, PartsEqualThoseOfTheWhole)
 {
   for (const int samples : { 1, 2 })
   {
@@ -185,7 +185,7 @@ TEST(Passes, ShowTheMiddleSample)
   }
 }
 
-TEST(Passes, OfAnEmptySceneAreNothing)
+TEST(Passes, AreNaNOrMinusOneWithoutSurfaces)
 {
   for (const int samples : { 1, 3 })
   {

@@ -73,7 +73,7 @@ TEST(Pipeline, RendersAgainExactlyWhenSomethingHasChanged)
     { "Background2", [&]() { tracer->SetBackground2(0.1, 0.2, 0.3); } },
     { "OutputScalarType", [&]() { tracer->SetOutputScalarTypeToUnsignedChar(); } },
     { "BackgroundImage", [&]() { tracer->SetBackgroundImage(image); } },
-    { "the image behind", [&]() { image->GetPointData()->GetScalars()->Modified(); } },
+    { "the background image", [&]() { image->GetPointData()->GetScalars()->Modified(); } },
     { "no BackgroundImage", [&]() { tracer->SetBackgroundImage(nullptr); } },
     { "OutputAlpha", [&]() { tracer->OutputAlphaOn(); } },
     { "GenerateDepth", [&]() { tracer->GenerateDepthOn(); } },

@@ -90,7 +90,7 @@ void drawPart(const lambent::Scene& scene, int samples, const lambent::Window& p
   render(scene, image, parallel, nullptr, settings);
   if (outcome != lambent::Outcome::Done)
   {
-    throw std::runtime_error("a cell names a point that does not exist");
+    throw std::runtime_error("a cell uses a point that does not exist");
   }
   paste(floats.data(), part, picture.width, picture.channels, picture.floats);
   paste(bytes.data(), part, picture.width, picture.channels, picture.bytes);
@@ -108,7 +108,7 @@ Picture draw(const Stage& stage, const Manner& manner)
 {
   if (!manner.backend.empty())
   {
-    throw std::runtime_error("the core alone has no backends; leave out --backend");
+    throw std::runtime_error("the core has no backends; omit --backend");
   }
   const int threads = manner.threads > 0
     ? manner.threads

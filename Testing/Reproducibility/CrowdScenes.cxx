@@ -57,7 +57,7 @@ SceneList crowdScenes()
         s.daylight();
         s.add(scaled(soup(random, 30000, 0.5), Vec3(0.01))).flat();
       } },
-    { "crowd-in-one-cell-of-rays",
+    { "crowd-in-one-tile",
       [](Stage& s)
       {
         RandomNumbers random(7);

@@ -30,17 +30,17 @@ struct Manner
   bool byBruteForce = false;
 };
 
-/// A pass of a picture.
+/// A pass of a picture, as floats or doubles.
 struct PassPicture
 {
   std::string name;
   bool isPerCell = false;
   lambent::Pass form;
-  std::vector<float> floats; ///< one of the two is empty
+  std::vector<float> floats; ///< empty if the values are doubles
   std::vector<double> doubles;
 };
 
-/// The bottom row first, three or four channels per pixel.
+/// A picture: the bottom row first, three or four channels per pixel.
 struct Picture
 {
   Picture() = default;
@@ -62,7 +62,7 @@ std::vector<std::string> backendsHere();
 /// The windows of the image to render: the whole, or parts of uneven sizes.
 std::vector<lambent::Window> partsOf(const Stage& stage, const Manner& manner);
 
-/// Copies a part to its place in the whole image of that many channels.
+/// Copies a part to its place in the whole image.
 template <typename Channel>
 void paste(const Channel* part, const lambent::Window& window, int width, int channels,
   std::vector<Channel>& whole)

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Alpha, and images behind the bodies.
+// Alpha and background images.
 #include "Scenes.h"
 
 using lambent::AttributeType;
 
 namespace
 {
-/// A ball before a box of another colour.
+/// A ball in front of a box of another colour.
 void still(Stage& s, int samples)
 {
   s.samples = samples;

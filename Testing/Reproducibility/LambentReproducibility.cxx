@@ -16,10 +16,10 @@ const char* const usage =
   "usage: LambentReproducibility FOLDER [--threads N] [--backend NAME] [--parts]\n"
   "                              [--shuffle SEED] [--brute-force] [--only TEXT]\n"
   "       LambentReproducibility --manners\n"
-  "Draws each scene into FOLDER/<name>.pfm and .ppm, or .pam with alpha, and .passes if it\n"
-  "shows more than colours. With --shuffle those are left out in which the order of faces\n"
-  "decides what is seen. --only draws those whose name has TEXT in it. --manners lists what\n"
-  "this machine has: values of LAMBENT_SIMD, backends.\n";
+  "Renders each scene into FOLDER/<name>.pfm and .ppm (.pam with alpha), and into .passes if it\n"
+  "has passes. --shuffle omits scenes in which the order of faces affects the picture. --only\n"
+  "selects scenes whose name contains TEXT. --manners lists what this machine supports: values\n"
+  "of LAMBENT_SIMD, backends.\n";
 
 struct Command
 {

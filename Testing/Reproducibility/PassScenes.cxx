@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth, normals, positions and attributes beside the colours.
+// Passes: depth, normals, positions and attributes.
 #include "Scenes.h"
 
 using lambent::AttributeType;
 
 namespace
 {
-/// A smooth ball, a flat box, an unlit sheet seen from behind, a smooth tube seen from inside.
+/// A smooth ball, a flat box, an unlit sheet seen from behind, and a smooth tube seen from inside.
 void still(Stage& s)
 {
   s.daylight();
@@ -21,7 +21,7 @@ void still(Stage& s)
   }
 }
 
-/// The same with arrays, of which some bodies lack some.
+/// The same with arrays, some of which some bodies lack.
 void stillWithArrays(Stage& s)
 {
   still(s);

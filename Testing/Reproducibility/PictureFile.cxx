@@ -41,7 +41,7 @@ void append(const std::vector<Value>& values, std::string& content)
   }
 }
 
-/// The scale of -1 declares the byte order.
+/// PFM. The scale of -1 declares little-endian numbers.
 std::string pfm(const Picture& picture)
 {
   std::string content = (picture.channels == 4 ? "PF4\n" : "PF\n") + sizeOf(picture) + "\n-1.0\n";
@@ -62,7 +62,7 @@ std::string passes(const Picture& picture)
   return content;
 }
 
-/// PPM, or with alpha PAM. These formats have the top row first.
+/// PPM, or PAM with alpha. These formats store the top row first.
 std::string bytes(const Picture& picture)
 {
   std::string content = picture.channels == 4

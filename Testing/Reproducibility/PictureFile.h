@@ -5,9 +5,9 @@
  * @brief write pictures to files without changing their bits
  *
  * PFM (floats) and PPM (bytes) have a header and the unchanged channels, and many viewers
- * can show them when pictures differ. With alpha they are PFM of four channels and PAM. Passes
- * follow each other in one file: a line with name and form, and the values, the least significant
- * byte first.
+ * can show them when pictures differ. With alpha, they are PFM with four channels and PAM. All
+ * passes are in one file: for each pass a line with its name and form, followed by its values, the
+ * least significant byte first.
  */
 #ifndef PictureFile_h
 #define PictureFile_h

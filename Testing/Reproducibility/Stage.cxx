@@ -19,7 +19,7 @@ std::vector<unsigned char> toMemory(const std::vector<double>& values)
   return memory;
 }
 
-/// The nearest number that the type holds.
+/// The nearest number that the type can represent.
 double rounded(double value, lambent::AttributeType type)
 {
   return type == lambent::AttributeType::Float ? static_cast<double>(static_cast<float>(value))

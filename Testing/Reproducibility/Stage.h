@@ -18,16 +18,16 @@
 
 #include <string>
 
-/// Tuples of so many components, one per point or cell of a body, or per pixel of an image.
+/// An array with one tuple per point or cell of a body, or per pixel of an image.
 struct StageArray
 {
   std::string name;
   bool isPerCell = false;
   int components = 1;
   lambent::AttributeType type = lambent::AttributeType::Float;
-  std::vector<double> values; ///< of which the type holds each exactly
+  std::vector<double> values; ///< each can be represented exactly by the type
 
-  /// The values as the type has them in memory.
+  /// The values in memory, with the array's type.
   std::vector<unsigned char> memory() const;
 };
 
@@ -54,13 +54,13 @@ struct Body
   Body& round();
   Body& floats();
   Body& strips();
-  /// Adds an array of the points, whose values are those of the coordinates.
+  /// Adds a point array whose values are computed from the coordinates.
   Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
-  /// Adds an array of the cells, whose values vary from cell to cell.
+  /// Adds a cell array whose values vary from cell to cell.
   Body& cellArray(const std::string& name, int components, lambent::AttributeType type);
 };
 
-/// What a picture shows beside the colours.
+/// A pass of the picture.
 struct StagePass
 {
   lambent::PassContent content = lambent::PassContent::Depth;
@@ -74,7 +74,7 @@ struct Stage
   int samples = 1; ///< along each axis of a pixel
   bool hasAlpha = false;
   std::vector<StagePass> passes;
-  StageArray backgroundImage; ///< or no values
+  StageArray backgroundImage; ///< without values if there is none
   int backgroundWidth = 0, backgroundHeight = 0;
   std::vector<Body> bodies;
   /// Camera, lights and backgrounds; the surfaces are made from the bodies.
@@ -95,13 +95,13 @@ struct Stage
   void look(const Vec3& from, const Vec3& at, const Vec3& up = Vec3(0.0, 1.0, 0.0));
   void lookParallel(double scale);
 
-  // Passes. An array is that of the bodies that have it.
+  // Passes. Bodies may lack an array.
   void showDepth();
   void showNormals();
   void showPositions();
   void showArray(const std::string& name, bool isPerCell);
 
-  /// Puts a random image behind the bodies.
+  /// Sets a random background image.
   void imageBehind(int w, int h, int components, lambent::AttributeType type);
 
   lambent::Light& sun(const Vec3& direction, const Vec3& color = Vec3(1.0));

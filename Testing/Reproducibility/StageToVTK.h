@@ -20,7 +20,7 @@ class vtkProperty;
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
-/// The image behind the stage; nullptr if there is none.
+/// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);

@@ -115,7 +115,7 @@ void fetch(vtkLambentRayTracer* tracer, int scalarType, const lambent::Window& p
     picture.channels, whole);
 }
 
-/// Those of the last part.
+/// Copies the passes of the last part to the picture.
 void fetchPasses(vtkLambentRayTracer* tracer, const lambent::Window& part, Picture& picture)
 {
   for (PassPicture& pass : picture.passes)
@@ -124,7 +124,7 @@ void fetchPasses(vtkLambentRayTracer* tracer, const lambent::Window& part, Pictu
     if (!array || array->GetNumberOfComponents() != pass.form.components ||
       array->GetDataType() != (pass.form.isDouble ? VTK_DOUBLE : VTK_FLOAT))
     {
-      throw std::runtime_error("the array " + pass.name + " has another form");
+      throw std::runtime_error("the array " + pass.name + " has an unexpected type or size");
     }
     const void* const values = array->GetVoidPointer(0);
     pass.form.isDouble ? paste(static_cast<const double*>(values), part, picture.width,

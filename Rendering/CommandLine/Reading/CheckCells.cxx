@@ -69,9 +69,9 @@ bool AreIdsSound(const Value* ids, vtkIdType count, vtkIdType numberOfPoints)
   VisitValues(cells->GetOffsetsArray(),
     [&cell, offsets, at](const auto* starts)
     { cell = std::upper_bound(starts, starts + offsets, at) - starts - 1; });
-  throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " names point " +
+  throw Failure("its " + std::string(word) + " " + std::to_string(cell) + " uses point " +
     std::to_string(id) + ", which does not exist: the file has " + std::to_string(numberOfPoints) +
-    " points, numbered from 0; correct it in the program that writes the file, or get a whole "
+    " points, numbered from 0; correct it in the program that writes the file, or use a complete "
     "copy");
 }
 
@@ -135,8 +135,8 @@ void CheckOffsets(vtkCellArray* cells, const char* word)
   }
   if (!isSound)
   {
-    throw Failure("it is broken: its " + std::string(word) +
-      " offsets are inconsistent; get a whole copy of it");
+    throw Failure(
+      "it is corrupt: its " + std::string(word) + " offsets are inconsistent; use a complete copy");
   }
 }
 

@@ -133,7 +133,7 @@ std::vector<BrokenVariable> CheckEnSight(const std::string& casePath)
           parts = WalkEnSightGeometry(file);
         }))
   {
-    throw Failure("its geometry file '" + all.geometry + "' is cut short; get a whole copy of it");
+    throw Failure("its geometry file '" + all.geometry + "' is incomplete; use a complete copy");
   }
   std::vector<BrokenVariable> broken;
   for (const Variable& variable : all.variables)

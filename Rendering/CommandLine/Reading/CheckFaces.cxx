@@ -31,7 +31,7 @@ void CheckPoint(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdType id)
   if (id < 0 || id >= points)
   {
     FailForFaces(cell,
-      " has a face that names point " + std::to_string(id) +
+      " has a face that uses point " + std::to_string(id) +
         ", which does not exist: the file has " + std::to_string(points) +
         " points, numbered from 0");
   }

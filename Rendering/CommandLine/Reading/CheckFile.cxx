@@ -26,7 +26,7 @@ void CheckFile(const std::string& path, bool mayBeEmpty)
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    throw Failure("it is not a regular file; save it to one");
+    throw Failure("it is not a regular file; copy it to one");
   }
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
@@ -35,7 +35,7 @@ void CheckFile(const std::string& path, bool mayBeEmpty)
   }
   if (!mayBeEmpty && std::filesystem::file_size(path, error) == 0)
   {
-    throw Failure("it is empty; get a whole copy of it");
+    throw Failure("it is empty; use a complete copy");
   }
 }
 

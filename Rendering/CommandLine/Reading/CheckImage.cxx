@@ -16,7 +16,7 @@ namespace
 
 const char* const Remedy = "; convert it to .png";
 
-/// Numbers at places of a file, in its byte order.
+/// Reads unsigned integers at offsets in a file, in its byte order.
 class Numbers
 {
 public:
@@ -30,7 +30,7 @@ public:
   {
     if (place > this->Bytes.size() || this->Bytes.size() - place < size)
     {
-      throw Failure("it is cut short; check that it is complete");
+      throw Failure("it is incomplete; use a complete copy");
     }
     std::uint32_t number = 0;
     for (std::size_t k = 0; k < size; ++k)
@@ -60,14 +60,15 @@ enum TiffTag
   SampleFormat = 339
 };
 
-/// The first value of each tag of the first picture, if it is a whole number.
+/// Returns the first value of each tag of the first picture; meaningless for tags that are not
+/// whole numbers.
 std::map<std::uint32_t, std::uint32_t> ReadTags(const FileBytes& bytes)
 {
   const std::string start(bytes.view().substr(0, 2));
   const Numbers numbers(bytes, start == "II");
   if ((start != "II" && start != "MM") || numbers.At(2, 2) != 42)
   {
-    throw Failure("it is not a TIFF file of the usual kind (up to 4 GiB)" + std::string(Remedy));
+    throw Failure("it is not a classic TIFF file (up to 4 GiB)" + std::string(Remedy));
   }
   std::map<std::uint32_t, std::uint32_t> tags;
   const std::size_t first = numbers.At(4, 4);
@@ -108,14 +109,13 @@ void CheckTiff(const std::string& path)
   refuse(bits != 8 && !isGrey, "of colours with " + std::to_string(bits) + " bits per channel");
   refuse(
     !(bits == 8 && format == 1) && !(bits == 16 && format == 1) && !(bits == 32 && format == 3),
-    "with grey of " + std::to_string(bits) + " bits of this format");
-  refuse(
-    samples == 4 && valueOf(ExtraSamples, 0) == 1, "whose alpha is multiplied into its colours");
+    "with grey of " + std::to_string(bits) + " bits in this sample format");
+  refuse(samples == 4 && valueOf(ExtraSamples, 0) == 1, "with premultiplied alpha");
   refuse(compression != 1 && compression != 5 && compression != 8 && compression != 32773,
     "with this compression (only none, LZW, deflate and PackBits)");
   refuse(valueOf(PlanarConfiguration, 1) != 1, "with separate planes");
   refuse(tags.count(TileWidth) > 0, "in tiles");
-  refuse(turned != 1 && turned != 4, "that is turned or mirrored by its orientation");
+  refuse(turned != 1 && turned != 4, "with an orientation that rotates or mirrors it");
 }
 
 void CheckBmp(const std::string& path)
@@ -125,7 +125,7 @@ void CheckBmp(const std::string& path)
   if (bytes.view().substr(0, 2) != "BM" || numbers.At(14, 4) != 40)
   {
     throw Failure(
-      "it is not a BMP file, or one of a version that VTK does not read" + std::string(Remedy));
+      "it is not a BMP file, or of a version that VTK does not read" + std::string(Remedy));
   }
   const std::uint32_t bits = numbers.At(28, 2);
   if ((bits != 8 && bits != 24) || numbers.At(30, 4) != 0)
@@ -141,7 +141,7 @@ void CheckBmp(const std::string& path)
   if (width < 1 || height < 1 ||
     row * height > static_cast<std::int64_t>(bytes.size()) - numbers.At(10, 4))
   {
-    throw Failure("it is cut short; check that it is complete");
+    throw Failure("it is incomplete; use a complete copy");
   }
 }
 

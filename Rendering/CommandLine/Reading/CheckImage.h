@@ -4,10 +4,10 @@
  * @file
  * @brief refuses TIFF and BMP files that VTK's readers would read wrongly
  *
- * vtkTIFFReader mixes up colours of 16 and 32 bits and grey with alpha, inverts alpha, and ignores
- * how a picture is turned. vtkBMPReader ignores compression and rows that are missing. What is left
- * is read correctly: TIFF in strips with 8 bits per channel, or grey with 16 bits or floats; BMP
- * without compression.
+ * vtkTIFFReader garbles colours of 16 and 32 bits and grey with alpha, inverts alpha, and ignores
+ * the orientation. vtkBMPReader ignores compression and missing rows. The accepted files are read
+ * correctly: TIFF in strips with 8 bits per channel, or grey with 16 bits or floats; BMP without
+ * compression.
  */
 
 #ifndef CheckImage_h
@@ -18,8 +18,8 @@
 namespace lambent::command
 {
 
-/// Throws Failure unless vtkTIFFReader reads the file correctly, apart from its rows, which it
-/// turns upside down, and alpha.
+/// Throws Failure unless vtkTIFFReader reads the file correctly, apart from the order of rows and
+/// inverted alpha, which the caller must correct.
 void CheckTiff(const std::string& path);
 
 /// Throws Failure unless vtkBMPReader reads the file correctly.

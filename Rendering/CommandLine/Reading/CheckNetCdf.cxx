@@ -23,8 +23,7 @@ constexpr std::uint64_t Attributes = 12;
 [[noreturn]] void FailCut()
 {
   throw Failure(
-    "it is cut short or broken: it is shorter than its header says; get a whole copy of "
-    "it");
+    "it is incomplete or corrupt: it is shorter than its header declares; use a complete copy");
 }
 
 /// Walks through the header of a classic file, whose numbers are big-endian.

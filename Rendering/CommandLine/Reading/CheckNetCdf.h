@@ -19,8 +19,8 @@
 namespace lambent::command
 {
 
-/// Throws Failure if the file is a classic NetCDF file and is shorter than its header says or has
-/// an invalid header.
+/// Throws Failure if the file is a classic NetCDF file and is shorter than its header declares or
+/// has an invalid header.
 void CheckNetCdf(const std::string& path);
 
 } // namespace lambent::command

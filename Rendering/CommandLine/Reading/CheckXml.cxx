@@ -86,8 +86,8 @@ private:
       this->ReadWord(array, number->GetVoidPointer(0), count - 1, type);
       if (!this->CanHold(number->GetComponent(0, 0)))
       {
-        throw Failure("it is cut short or broken: the last offset of '" +
-          std::string(cells->GetName()) + "' is impossible; get a whole copy of it");
+        throw Failure("it is incomplete or corrupt: the last offset of '" +
+          std::string(cells->GetName()) + "' is invalid; use a complete copy");
       }
     }
   }

@@ -39,8 +39,8 @@ void XmlCellsCheck::Check(
   {
     if (!parser.CanHold(LastOffset(values)))
     {
-      throw Failure("it is cut short or broken: the last value of '" + name +
-        "' is impossible; get a whole copy of it");
+      throw Failure("it is incomplete or corrupt: the last value of '" + name +
+        "' is invalid; use a complete copy");
     }
     if (name == "faceoffsets")
     {
@@ -77,8 +77,8 @@ void XmlCellsCheck::CheckFaces(vtkDataArray* faces) const
     }
     if (!isSound || at > size)
     {
-      throw Failure("it is cut short or broken: the faces of its cell " + std::to_string(cell) +
-        " do not add up; get a whole copy of it");
+      throw Failure("it is incomplete or corrupt: the faces of its cell " + std::to_string(cell) +
+        " do not add up; use a complete copy");
     }
   }
 }

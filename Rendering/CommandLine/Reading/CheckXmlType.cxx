@@ -63,7 +63,7 @@ void CheckXmlType(vtkXMLDataElement* root, const std::string& expected)
   }
   if (type == expected)
   {
-    throw Failure("it has no element <" + expected + ">; get a whole copy of it");
+    throw Failure("it has no element <" + expected + ">; use a complete copy");
   }
   throw Failure("it holds " + type + " instead of " + expected + Remedy(type));
 }

@@ -31,8 +31,8 @@ std::string Attribute(vtkXMLDataElement* element, const char* name)
 
 [[noreturn]] void Fail(vtkXMLDataElement* element, const std::string& what)
 {
-  throw Failure("it is cut short or broken: " + what + " of '" + element->GetName() + " " +
-    Attribute(element, "Name") + "' is impossible; get a whole copy of it");
+  throw Failure("it is incomplete or corrupt: " + what + " of '" + element->GetName() + " " +
+    Attribute(element, "Name") + "' is invalid; use a complete copy");
 }
 
 } // namespace

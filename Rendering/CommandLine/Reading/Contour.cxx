@@ -81,8 +81,8 @@ std::string DefaultArray(const std::vector<vtkDataSet*>& volumes)
   return *names.begin();
 }
 
-/// The volume with the array as point data; null if there is no such array. All cell arrays become
-/// point data then.
+/// Returns the volume with the array as point data, or null if there is no such array. If it is a
+/// cell array, all cell arrays become point data.
 vtkSmartPointer<vtkDataSet> WithPointArray(vtkDataSet* volume, const std::string& name)
 {
   if (IsContourable(volume->GetPointData()->GetArray(name.c_str())))

@@ -25,7 +25,7 @@ FileBytes::FileBytes(const std::string& path)
   std::rewind(file.get());
   if (std::fread(this->Data.get(), 1, this->Size, file.get()) != this->Size)
   {
-    throw Failure("it cannot be read to its end");
+    throw Failure("it cannot be read completely");
   }
   this->Data[this->Size] = '\0';
 }

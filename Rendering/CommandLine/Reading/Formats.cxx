@@ -75,7 +75,7 @@ const Format Table[] = {
   { Other, ".pvts", "VTK structured grid in pieces", Vtk, ReadPvts, Isolated, true },
   { Other, ".vtm .vtmb", "VTK blocks", Own, ReadBlocks, Isolated, true },
   { Other, ".vtpd .vtpc", "VTK partitions and collections", Own, ReadBlocks, Isolated, true },
-  { Other, ".pvd", "ParaView time series, its first time", Own, ReadPvd, Isolated, true },
+  { Other, ".pvd", "ParaView time series (first step)", Own, ReadPvd, Isolated, true },
   { Other, ".gltf .glb", "GL transmission format 2", Gltf, ReadGltfFile, Isolated, true },
   { Other, ".dae", "COLLADA", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".3ds", "3D Studio", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
@@ -83,11 +83,11 @@ const Format Table[] = {
   { Other, ".3mf", "3D manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated, false },
   { Other, ".amf", "additive manufacturing", "assimp", LAMBENT_IF_ASSIMP(ReadAssimp), Isolated,
     false },
-  { Other, ".e .ex2 .exo .exii", "Exodus II, its first time", "VTK::IOExodus",
+  { Other, ".e .ex2 .exo .exii", "Exodus II (first time step)", "VTK::IOExodus",
     LAMBENT_IF_EXODUS(ReadExodus), Isolated, false },
-  { Other, ".case", "EnSight, its first time", "VTK::IOEnSight", LAMBENT_IF_ENSIGHT(ReadEnSight),
+  { Other, ".case", "EnSight (first time step)", "VTK::IOEnSight", LAMBENT_IF_ENSIGHT(ReadEnSight),
     Isolated, true },
-  { Other, ".foam", "OpenFOAM, its first time", Vtk, ReadFoam, Isolated, true, true },
+  { Other, ".foam", "OpenFOAM (first time step)", Vtk, ReadFoam, Isolated, true, true },
 };
 
 /// Kinds that users may try, and the remedy.
@@ -131,11 +131,11 @@ std::string InnerExtensionOf(const std::string& path)
   {
     if (Contains(extensions, extension))
     {
-      throw Failure("files of the kind " + extension + " cannot be read; " + remedy +
+      throw Failure(extension + " files cannot be read; " + remedy +
         ", to a name that ends in one of " + kinds);
     }
   }
-  throw Failure("its kind is not known; its name must end in one of " + kinds);
+  throw Failure("its format is unknown; its name must end in one of " + kinds);
 }
 
 } // namespace
@@ -184,7 +184,8 @@ const Format& RequireFormat(const std::string& path)
   }
   if (IsGzipped(path) && !HasZlib)
   {
-    throw Failure("this build of lambent was made without VTK::zlib; unpack it with gunzip first");
+    throw Failure(
+      "this build of lambent was made without VTK::zlib; decompress it with gunzip first");
   }
   return *format;
 }

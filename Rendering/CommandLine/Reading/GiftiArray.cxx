@@ -23,7 +23,7 @@ namespace lambent::command
 namespace
 {
 
-constexpr const char* Whole = "; get a whole copy of it";
+constexpr const char* Whole = "; use a complete copy";
 // As for gzipped files: more than any mesh needs, less than a decompression bomb.
 constexpr std::size_t FreeSize = std::size_t{ 64 } << 20;
 constexpr std::size_t MostRatio = 256;
@@ -63,7 +63,7 @@ void RequireRoom(bool isEnough, std::size_t count)
 
 [[noreturn]] void ThrowMore()
 {
-  throw Failure("it has more numbers than its Dim0 and Dim1 say" + std::string(Whole));
+  throw Failure("it has more numbers than its Dim0 and Dim1 declare" + std::string(Whole));
 }
 
 std::vector<double> DecodeText(const std::string& text, std::size_t count)
@@ -145,7 +145,7 @@ Bytes Inflate(Bytes& packed, std::size_t size)
   }
   if (result != Z_STREAM_END)
   {
-    throw Failure("its packed data is broken" + std::string(Whole));
+    throw Failure("its compressed data is corrupt" + std::string(Whole));
   }
   plain.resize(used);
   return plain;
@@ -153,8 +153,9 @@ Bytes Inflate(Bytes& packed, std::size_t size)
 #else
 Bytes Inflate(Bytes&, std::size_t)
 {
-  throw Failure("this build of lambent was made without VTK::zlib, and it is packed; save it with "
-                "the encoding Base64Binary");
+  throw Failure(
+    "this build of lambent was made without VTK::zlib, and it is compressed; save it with "
+    "the encoding Base64Binary");
 }
 #endif
 
@@ -177,7 +178,7 @@ std::vector<double> DecodeBytes(
     if (size > FreeSize + MostRatio * bytes.size())
     {
       throw Failure("its Dim0 declares more than " + std::to_string(MostRatio) +
-        " times the size of its packed data, which no mesh needs" + Whole);
+        " times the size of its compressed data, which no mesh needs" + Whole);
     }
     bytes = Inflate(bytes, size);
   }

@@ -24,8 +24,8 @@ namespace
 
 [[noreturn]] void FailAtCell(const std::string& keyword, vtkIdType cell, vtkIdType cells)
 {
-  throw Failure("it is cut short or broken at cell " + std::to_string(cell) + " of " +
-    std::to_string(cells) + " of its " + keyword + "; get a whole copy of it");
+  throw Failure("it is incomplete or corrupt at cell " + std::to_string(cell) + " of " +
+    std::to_string(cells) + " of its " + keyword + "; use a complete copy");
 }
 
 vtkSmartPointer<vtkCellArray> ListOf(vtkDataArray* offsets, vtkDataArray* connectivity)
@@ -76,8 +76,8 @@ vtkSmartPointer<vtkCellArray> CellsOf(const std::string& keyword, vtkIdType cell
   if (at != size)
   {
     throw Failure("the list of its " + std::to_string(cells) + " " + keyword + " has " +
-      std::to_string(at) + " numbers, but its first line says " + std::to_string(size) +
-      "; correct that line, or get a whole copy");
+      std::to_string(at) + " numbers, but its first line declares " + std::to_string(size) +
+      "; correct that line, or use a complete copy");
   }
   offsets->SetValue(cells, ids);
   look(ids);
@@ -116,13 +116,13 @@ vtkIdType LegacyCells::ReadCount(const std::string& keyword) const
   vtkIdType count = 0;
   if (!this->Reader->Read(&count))
   {
-    throw Failure("it is cut short or broken: no count follows its keyword " + keyword +
-      "; get a whole copy of it");
+    throw Failure("it is incomplete or corrupt: no count follows its keyword " + keyword +
+      "; use a complete copy");
   }
   if (count < 0 || static_cast<std::uint64_t>(count) > this->FileSize)
   {
-    throw Failure("it is cut short or broken: it is too small for the count of " +
-      std::to_string(count) + " after its keyword " + keyword + "; get a whole copy of it");
+    throw Failure("it is incomplete or corrupt: it is too small for the count of " +
+      std::to_string(count) + " after its keyword " + keyword + "; use a complete copy");
   }
   return count;
 }
@@ -225,7 +225,7 @@ vtkSmartPointer<vtkCellArray> LegacyCells::ReadOffsets(const std::string& keywor
     stream.seekg(start); // VTK reads the other variants
     if (!this->Reader->ReadCells(cells) || !cells)
     {
-      throw Failure("it is cut short or broken in its " + keyword + "; get a whole copy of it");
+      throw Failure("it is incomplete or corrupt in its " + keyword + "; use a complete copy");
     }
   }
   if (!AreIdsKnownBelow(cells, this->Points->GetNumberOfPoints()))
@@ -240,7 +240,7 @@ std::vector<int> LegacyCells::ReadTypes() const
   std::vector<int> types(static_cast<std::size_t>(this->ReadCount("CELL_TYPES")));
   if (this->ReadNumbers(types.data(), types.size()) != types.size())
   {
-    throw Failure("it is cut short or broken in its CELL_TYPES; get a whole copy of it");
+    throw Failure("it is incomplete or corrupt in its CELL_TYPES; use a complete copy");
   }
   return types;
 }

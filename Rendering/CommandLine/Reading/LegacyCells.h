@@ -39,7 +39,7 @@ public:
   vtkIdType ReadCount(const std::string& keyword) const;
 
   /// Reads the cells after a keyword. Throws Failure if the list is truncated or inconsistent. Does
-  /// not reject cells that name points that do not exist.
+  /// not reject cells that use points that do not exist.
   vtkSmartPointer<vtkCellArray> ReadCells(const std::string& keyword) const;
 
   /// Reads the types after CELL_TYPES.

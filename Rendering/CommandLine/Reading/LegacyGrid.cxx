@@ -46,7 +46,7 @@ void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<
   if (static_cast<vtkIdType>(types.size()) != count)
   {
     throw Failure("it has " + std::to_string(count) + " CELLS and " + std::to_string(types.size()) +
-      " CELL_TYPES; get a whole copy of it");
+      " CELL_TYPES; use a complete copy");
   }
   vtkNew<vtkIdList> stream;
   for (vtkIdType cell = 0; cell < count; ++cell)
@@ -62,8 +62,8 @@ void SetLegacyCells(vtkUnstructuredGrid* grid, vtkCellArray* cells, std::vector<
       cells->GetCellAtId(cell, stream);
       if (!IsStreamOfFaces(stream->GetNumberOfIds(), stream->GetPointer(0)))
       {
-        throw Failure("it is broken: the faces of its cell " + std::to_string(cell) +
-          " do not add up; get a whole copy of it");
+        throw Failure("it is corrupt: the faces of its cell " + std::to_string(cell) +
+          " do not add up; use a complete copy");
       }
     }
   }

@@ -97,7 +97,7 @@ void MshCursor::EndSection(const std::string& name)
   const std::string_view rest(this->At, static_cast<std::size_t>(this->End - this->At));
   if (rest.substr(0, end.size()) != end)
   {
-    this->Fail("the section $" + name + " does not end where its counts say");
+    this->Fail("the section $" + name + " does not have the length that its counts declare");
   }
   this->SkipLine();
 }

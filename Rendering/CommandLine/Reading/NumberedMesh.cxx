@@ -91,10 +91,10 @@ void NumberedMesh::EndPart()
       const std::int64_t id = this->FindNode(node);
       if (id < 0)
       {
-        throw Failure("its element " + std::to_string(this->Elements[element]) + " names node " +
+        throw Failure("its element " + std::to_string(this->Elements[element]) + " uses node " +
           std::to_string(node) +
-          ", which does not exist; correct it in the program that writes the file, or get a whole "
-          "copy");
+          ", which does not exist; correct it in the program that writes the file, or use a "
+          "complete copy");
       }
       node = id;
     }

@@ -4,8 +4,8 @@
  * @file
  * @brief a mesh of numbered nodes and elements, as in simulation files
  *
- * Elements name nodes by arbitrary numbers, in any order, before or after the nodes themselves. The
- * nodes of a part are sorted by number once, when the part is complete.
+ * Elements refer to nodes by arbitrary numbers, in any order, before or after the nodes themselves.
+ * The nodes of a part are sorted by number once, when the part is complete.
  */
 
 #ifndef NumberedMesh_h

@@ -23,12 +23,12 @@ void ObjIndices::Fail(std::int64_t index, std::size_t line) const
 {
   const std::string all = (this->Count == 0 ? "no " : std::to_string(this->Count) + " ") +
     this->Noun + (this->Count == 1 ? "" : "s") + " (" + this->Keyword + ")";
-  throw Failure("line " + std::to_string(line) + " names " + this->Noun + " " +
+  throw Failure("line " + std::to_string(line) + " uses " + this->Noun + " " +
     std::to_string(index) + ", but " +
     (index > 0       ? "the file has " + all
-        : index == 0 ? "indices count from 1; so far the file has " + all
+        : index == 0 ? "indices start at 1; so far the file has " + all
                      : "before that line it has " + all) +
-    "; correct the line, or get a whole copy");
+    "; correct the line, or use a complete copy");
 }
 
 void ObjIndices::CheckAll() const

@@ -37,7 +37,7 @@ struct ObjContent
   CellLists lines;
   CellLists vertices;
 
-  /// The id named by each corner of the faces, or NoKey; empty if no corner names any.
+  /// The id named by each corner of the faces, or NoKey; empty if no corner uses any.
   std::vector<std::int32_t> textureOfCorner;
   std::vector<std::int32_t> normalOfCorner;
 

@@ -56,7 +56,7 @@ bool StlTextParser::Take(std::string_view keyword)
 Failure StlTextParser::NotDue(const std::string& due) const
 {
   return this->Cursor.IsAtEnd()
-    ? this->Cursor.FailureHere("it is cut short: it ends where " + due + " is expected")
+    ? this->Cursor.FailureHere("it is incomplete: it ends where " + due + " is expected")
     : this->Cursor.FailureHere(
         "found " + this->Cursor.QuotedWord() + " where " + due + " is expected");
 }

@@ -52,7 +52,7 @@ struct FaceSink
       if (!(value >= 0 && value <= std::numeric_limits<vtkTypeInt32>::max()))
       {
         throw Failure("face " + std::to_string(this->offsets->GetNumberOfValues() - 1) +
-          " names a vertex that does not exist");
+          " uses a vertex that does not exist");
       }
       this->connectivity->InsertNextValue(static_cast<Id>(value));
     }
@@ -103,7 +103,7 @@ struct StripSink
     if (!(value >= 0 && value <= std::numeric_limits<std::int32_t>::max()))
     {
       throw Failure("triangle strip " + std::to_string(this->strips.size()) +
-        " names a vertex that does not exist");
+        " uses a vertex that does not exist");
     }
     this->strips.points.push_back(static_cast<std::int32_t>(value));
   }

@@ -24,7 +24,7 @@ PlyType TypeNamed(const std::string& name)
   const auto found = types.find(name);
   if (found == types.end())
   {
-    throw Failure("its header names the unknown type '" + name.substr(0, 40) + "'");
+    throw Failure("its header has the unknown type '" + name.substr(0, 40) + "'");
   }
   return found->second;
 }
@@ -37,7 +37,7 @@ PlyFormat FormatNamed(const std::string& name)
   }
   if (name != "binary_little_endian" && name != "binary_big_endian")
   {
-    throw Failure("its header names the unknown format '" + name.substr(0, 40) + "'");
+    throw Failure("its header has the unknown format '" + name.substr(0, 40) + "'");
   }
   return name == "binary_big_endian" ? PlyFormat::BigEndian : PlyFormat::LittleEndian;
 }
@@ -148,7 +148,7 @@ PlyHeader ParsePlyHeader(std::string_view file)
   }
   if (!hasFormat)
   {
-    throw Failure("its header names no format");
+    throw Failure("its header has no format");
   }
   return header;
 }

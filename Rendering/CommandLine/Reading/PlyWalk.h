@@ -41,8 +41,8 @@ void Walk(
   {
     if (!isThere)
     {
-      throw Failure("it is cut short: it ends within " + element.name + " " + std::to_string(item) +
-        " of " + std::to_string(element.count) +
+      throw Failure("it is incomplete: it ends within " + element.name + " " +
+        std::to_string(item) + " of " + std::to_string(element.count) +
         (cursor.GetLeftOver() == 0 ? "" : "; each element needs its own line"));
     }
   };

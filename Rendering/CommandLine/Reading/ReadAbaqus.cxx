@@ -119,7 +119,7 @@ private:
     if (keyword.name == "INCLUDE" || (isMesh && keyword.parameters.count("INPUT") > 0))
     {
       this->Lines.Fail("*" + keyword.name +
-        " names another file, which is not read; replace this line by the lines of that file");
+        " refers to another file, which is not read; replace this line by the lines of that file");
     }
     const auto system = keyword.parameters.find("SYSTEM");
     if (isMesh && system != keyword.parameters.end() && system->second != "R")
@@ -141,7 +141,7 @@ private:
     const auto type = keyword.parameters.find("TYPE");
     if (type == keyword.parameters.end())
     {
-      this->Lines.Fail("*ELEMENT has no TYPE; get a whole copy of it");
+      this->Lines.Fail("*ELEMENT has no TYPE; use a complete copy");
     }
     this->TypeName = type->second;
     this->Type = FindAbaqusType(this->TypeName);
@@ -199,7 +199,7 @@ private:
     {
       this->Lines.Fail("element " + std::to_string(this->Numbers[0]) + " has only " +
         std::to_string(this->Numbers.size() - 1) + " of the " + std::to_string(this->Type.nodes) +
-        " nodes of its type " + Quoted(this->TypeName) + "; get a whole copy of it");
+        " nodes of its type " + Quoted(this->TypeName) + "; use a complete copy");
     }
   }
 
@@ -207,7 +207,7 @@ private:
   {
     if (this->LeftOut > 0)
     {
-      vtkGenericWarningMacro("elements of types that are not drawn, such as "
+      vtkGenericWarningMacro("elements of unsupported types, such as "
         << Quoted(this->FirstLeftOut) << ", are skipped; they take up " << this->LeftOut
         << " lines");
     }

@@ -114,11 +114,11 @@ vtkSmartPointer<vtkDataObject> ReadPart(const std::string& owner, const std::str
     CheckFile(path);
     if (IsGzipped(path))
     {
-      throw Failure("it is packed; unpack it with gunzip first");
+      throw Failure("it is compressed; decompress it with gunzip first");
     }
     if (level >= MostLevels)
     {
-      throw Failure("files name each other more than " + std::to_string(MostLevels) +
+      throw Failure("files refer to each other more than " + std::to_string(MostLevels) +
         " levels deep, or in a circle");
     }
     ++level;
@@ -139,8 +139,7 @@ std::vector<std::string> PiecesIn(const std::string& path, VtkMessages& messages
   const Names names = AttributesOf(ParseXml(path, messages), "Piece", "Source");
   if (names.empty())
   {
-    throw Failure(
-      "it names no pieces; check that the file is complete and has the right extension");
+    throw Failure("it has no pieces; check that the file is complete and has the right extension");
   }
   return names;
 }

@@ -197,10 +197,11 @@ void AppendTriangles(
       from[k] != std::floor(from[k]))
     {
       throw Failure("triangle " + std::to_string(k / 3) +
-        " names a point that does not exist; "
+        " uses a point that does not exist; "
         "there are " +
         std::to_string(pointCount) +
-        ", numbered from 0; correct it in the program that writes the file, or get a whole copy");
+        ", numbered from 0; correct it in the program that writes the file, or use a complete "
+        "copy");
     }
     to.points.push_back(static_cast<std::int32_t>(firstPoint + static_cast<std::size_t>(from[k])));
     if (k % 3 == 2)

@@ -64,7 +64,7 @@ public:
       {
         throw Failure("it has '" + word +
           "' where a keyword such as POINTS is expected; correct it in the program that writes "
-          "the file, or get a whole copy");
+          "the file, or use a complete copy");
       }
     }
     finish();
@@ -84,8 +84,8 @@ private:
       const vtkIdType count = this->Lists.ReadCount("POINTS");
       if (!this->Reader->ReadPointCoordinates(this->Output, count))
       {
-        throw Failure("it is cut short or broken in its " + std::to_string(count) +
-          " POINTS; get a whole copy of it");
+        throw Failure("it is incomplete or corrupt in its " + std::to_string(count) +
+          " POINTS; use a complete copy");
       }
       return true;
     }
@@ -94,7 +94,7 @@ private:
       const auto field = vtkSmartPointer<vtkFieldData>::Take(this->Reader->ReadFieldData());
       if (!field)
       {
-        throw Failure("it is cut short or broken in its FIELD; get a whole copy of it");
+        throw Failure("it is incomplete or corrupt in its FIELD; use a complete copy");
       }
       this->Output->SetFieldData(field);
       return true;
@@ -127,7 +127,7 @@ private:
       throw Failure("it has " + keyword + " for " + std::to_string(count) + what + ", but " +
         std::to_string(expected) + what +
         "; correct the count in the program that writes the "
-        "file, or get a whole copy");
+        "file, or use a complete copy");
     }
   }
 

@@ -30,8 +30,8 @@ auto Follow(Progress& progress)
   return [&progress](double fraction) { progress.Update(fraction); };
 }
 
-/// Reads a legacy file with all of its arrays, so that passes and contours can name them. VTK would
-/// read only the first of each kind.
+/// Reads a legacy file with all its arrays, so that passes and contours can use them. By default,
+/// VTK reads only the first of each kind.
 template <typename Reader>
 vtkSmartPointer<vtkDataObject> ReadLegacy(
   const std::string& path, VtkMessages& messages, Progress& progress)

@@ -145,7 +145,7 @@ std::vector<float> PointNormals(const ObjContent& obj, const Ids& keyOfPoint)
   return normals;
 }
 
-/// u and v of each point; (0, 0) if no corner with a texture coordinate names the point.
+/// u and v of each point; (0, 0) if no corner with a texture coordinate uses the point.
 vtkSmartPointer<vtkFloatArray> TextureOfPoints(const ObjContent& obj, const Ids& keyOfPoint)
 {
   std::vector<float> values(2 * keyOfPoint.size(), 0.0f);

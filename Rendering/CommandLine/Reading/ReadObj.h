@@ -16,18 +16,18 @@
  *   above 1. Points without a colour are white.
  * - `f` are the polygons. Faces of one or two points are skipped, and a warning counts them. `l`
  *   and `p` become lines and vertices.
- * - `vn`: if any corner of a face names a normal of nonzero length, the mesh has the point data
+ * - `vn`: if any corner of a face uses a normal of nonzero length, the mesh has the point data
  *   "Normals". Corners that name different normals get separate points, which are copies after the
  *   points of the file. A corner that names no normal gets one from the smoothing groups below, or
  *   else the face normal.
- * - `s`: if no corner names a normal but a line `s` precedes a face, the mesh has "Normals" too.
+ * - `s`: if no corner uses a normal but a line `s` precedes a face, the mesh has "Normals" too.
  *   Faces of a group are smooth across their common points, whatever the angle between them. An
  *   exception is a face with the same points as an earlier one in the opposite orientation: such
  *   faces are smooth only among themselves. Edges between groups are sharp. Faces with smoothing
  *   off, and those before the first `s`, are flat. The normals are those of vtkLambentNormals.
  * - Without `vn` and `s` the mesh has no normals, and no point is copied. The renderer computes
  *   normals.
- * - `vt`: the mesh has the point data "TCoords" (u and v) if any corner names a texture coordinate.
+ * - `vt`: the mesh has the point data "TCoords" (u and v) if any corner uses a texture coordinate.
  *   Corners that name different ones get separate points. In a mesh without normals, separate
  *   points would break the smoothness of computed normals; there "TCoords" is omitted if any point
  *   would need two.

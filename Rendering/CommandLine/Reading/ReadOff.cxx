@@ -123,7 +123,7 @@ vtkIdType TakeCorner(OffCursor& cursor, const OffHeader& header, vtkIdType face)
   const vtkIdType vertex = cursor.TakeWhole("face", face);
   if (vertex < 0 || vertex >= header.vertices)
   {
-    cursor.Fail("face " + std::to_string(face) + " names vertex " + std::to_string(vertex) +
+    cursor.Fail("face " + std::to_string(face) + " uses vertex " + std::to_string(vertex) +
       ", which does not exist; there are " + std::to_string(header.vertices) + ", numbered from 0");
   }
   return vertex;

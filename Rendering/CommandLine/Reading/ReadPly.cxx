@@ -24,7 +24,7 @@ void CheckCount(const PlyCursor& cursor, const PlyElement& element)
     const PlyType first = property.isList ? property.countType : property.type;
     if (!cursor.CanHold(static_cast<double>(element.count), first))
     {
-      throw Failure("it is cut short: its header declares " + std::to_string(element.count) +
+      throw Failure("it is incomplete: its header declares " + std::to_string(element.count) +
         " of '" + element.name + "', more than the rest of the file can hold");
     }
   }
@@ -44,7 +44,7 @@ void WarnOfRest(PlyCursor& cursor)
   if (bytes > 0)
   {
     vtkGenericWarningMacro(<< "ignored " << bytes << (bytes == 1 ? " byte" : " bytes")
-                           << " after the last element that its header names");
+                           << " after the last element that its header declares");
   }
 }
 

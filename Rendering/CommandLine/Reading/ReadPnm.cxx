@@ -47,25 +47,25 @@ vtkSmartPointer<vtkImageData> ReadPnm(const std::string& path)
   const std::string magic(bytes.view().substr(0, 2));
   if (magic != "P5" && magic != "P6")
   {
-    throw Failure("it is not a binary PNM image of grey (P5) or RGB (P6); convert it to .png");
+    throw Failure("it is not a binary PNM image, grey (P5) or RGB (P6); convert it to .png");
   }
-  const char* at = bytes.begin() + 2; // a zero byte follows the file
+  const char* at = bytes.begin() + 2; // a zero byte follows the file's content
   const std::int64_t width = TakeNumber(at), height = TakeNumber(at), largest = TakeNumber(at);
   if (width < 1 || height < 1 || largest < 1 || largest > 65535)
   {
     throw Failure("its header has no valid size or largest value; correct it");
   }
-  at += at < bytes.end(); // one blank
+  at += at < bytes.end(); // one whitespace character
   const int channels = magic == "P6" ? 3 : 1, size = largest > 255 ? 2 : 1;
   if ((bytes.end() - at) / (channels * size) / width < height)
   {
-    throw Failure("it is cut short; check that it is complete");
+    throw Failure("it is incomplete; use a complete copy");
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(static_cast<int>(width), static_cast<int>(height), 1);
   image->AllocateScalars(largest == 255 ? VTK_UNSIGNED_CHAR : VTK_FLOAT, channels);
   const auto* value = reinterpret_cast<const unsigned char*>(at);
-  for (int j = static_cast<int>(height) - 1; j >= 0; --j) // from the top
+  for (int j = static_cast<int>(height) - 1; j >= 0; --j) // PNM stores the top row first
   {
     auto* const pixels = image->GetScalarPointer(0, j, 0);
     for (std::int64_t k = 0; k < width * channels; ++k, value += size)

@@ -58,7 +58,7 @@ vtkSmartPointer<vtkDataObject> ReadEnSight(
   for (const BrokenVariable& variable : broken)
   {
     vtkGenericWarningMacro(<< "its variable " << variable.name << " is skipped: the file '"
-                           << variable.file << "' is cut short");
+                           << variable.file << "' is incomplete");
   }
   return data;
 }

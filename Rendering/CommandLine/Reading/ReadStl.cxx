@@ -67,14 +67,15 @@ std::size_t CheckedCount(std::string_view file)
 {
   if (file.size() < HeaderSize)
   {
-    throw Failure("it is cut short or not an STL file: it is too short for a header; get a whole "
-                  "copy of it");
+    throw Failure(
+      "it is incomplete or not an STL file: it is too short for a header; use a complete "
+      "copy");
   }
   const std::size_t count = CountOf(file);
   if (file.size() < HeaderSize + TriangleSize * count)
   {
-    throw Failure("it is cut short or not an STL file: it is too short for the " +
-      std::to_string(count) + " triangles that it declares; get a whole copy of it");
+    throw Failure("it is incomplete or not an STL file: it is too short for the " +
+      std::to_string(count) + " triangles that it declares; use a complete copy");
   }
   const std::size_t leftOver = file.size() - HeaderSize - TriangleSize * count;
   if (leftOver % TriangleSize != 0)

@@ -38,7 +38,7 @@ void CheckEnd(const std::string& path)
   file.read(end.data(), static_cast<std::streamsize>(end.size()));
   if (end.find("</VTKFile>") == std::string::npos)
   {
-    throw Failure("it is cut short: it does not end with </VTKFile>; get a whole copy of it");
+    throw Failure("it is incomplete: it does not end with </VTKFile>; use a complete copy");
   }
 }
 

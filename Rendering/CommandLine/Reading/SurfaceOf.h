@@ -26,7 +26,7 @@ namespace lambent::command
  * contours last (vtkAppendPolyData); empty blocks are skipped, and only the arrays that all
  * surfaces have are kept. Images need a contour, since their outer surface is of no use.
  *
- * Throws Failure if the data has no mesh, or if a cell names a point that does not exist.
+ * Throws Failure if the data has no mesh, or if a cell uses a point that does not exist.
  */
 vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data,
   const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress);

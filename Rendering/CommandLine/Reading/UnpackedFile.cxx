@@ -79,7 +79,7 @@ public:
     }
     if (isInMember || !hasMember)
     {
-      throw Failure("it is cut short: its packed data does not end; get a whole copy of it");
+      throw Failure("it is incomplete: its compressed data does not end; use a complete copy");
     }
     if (std::fclose(this->Out.release()) != 0)
     {
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// Reads more packed data if necessary. Returns false at the end of the file.
+  /// Reads more compressed data if necessary. Returns false at the end of the file.
   bool Fill()
   {
     z_stream& state = this->Inflate.State;
@@ -99,7 +99,7 @@ private:
         static_cast<uInt>(std::fread(this->Packed.data(), 1, this->Packed.size(), this->In.get()));
       if (std::ferror(this->In.get()))
       {
-        throw Failure("it cannot be read to its end");
+        throw Failure("it cannot be read completely");
       }
     }
     return state.avail_in > 0;
@@ -117,11 +117,13 @@ private:
     }
     if (!hasMember)
     {
-      throw Failure("its name ends in .gz, but it is not packed by gzip; rename or repack it");
+      throw Failure(
+        "its name ends in .gz, but it is not compressed by gzip; rename or compress it");
     }
     if (first != 0)
     {
-      vtkGenericWarningMacro("the bytes after its packed data are not packed and are ignored");
+      vtkGenericWarningMacro(
+        "the bytes after its compressed data are not compressed and are ignored");
     }
     return false;
   }
@@ -140,9 +142,9 @@ private:
     } while (result == Z_OK && state.avail_out == 0);
     if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR)
     {
-      throw Failure("its packed data is broken" +
+      throw Failure("its compressed data is corrupt" +
         (state.msg ? std::string(" (") + state.msg + ")" : std::string()) +
-        "; get a whole copy of it");
+        "; use a complete copy");
     }
     return result != Z_STREAM_END;
   }
@@ -152,8 +154,9 @@ private:
     this->Written += size;
     if (this->Written > this->Most)
     {
-      throw Failure("it unpacks to more than " + std::to_string(MostRatio) +
-        " times its size, which no mesh does; if that is intended, unpack it with gunzip first");
+      throw Failure("it decompresses to more than " + std::to_string(MostRatio) +
+        " times its size, which no mesh does; if that is intended, decompress it with gunzip "
+        "first");
     }
     if (std::fwrite(this->Plain.data(), 1, size, this->Out.get()) != size)
     {
@@ -163,7 +166,7 @@ private:
 
   [[noreturn]] void ThrowFull()
   {
-    throw Failure(std::string("it cannot be unpacked: ") + std::strerror(errno) +
+    throw Failure(std::string("it cannot be decompressed: ") + std::strerror(errno) +
       "; free some space, or name another folder in TMPDIR");
   }
 
@@ -188,7 +191,7 @@ std::string FolderFor(const std::string& path, bool beside)
   const fs::path folder = fs::temp_directory_path(error);
   if (error)
   {
-    throw Failure("it cannot be unpacked: there is no folder for temporary files; name one in "
+    throw Failure("it cannot be decompressed: there is no folder for temporary files; name one in "
                   "TMPDIR");
   }
   return folder.string();
@@ -205,8 +208,8 @@ UnpackedFile::UnpackedFile(const std::string& path, bool beside)
   }
   catch (const Failure& reason)
   {
-    throw Failure(std::string("it cannot be unpacked: ") + reason.what() +
-      (beside ? "; it names files beside it, so unpack it with gunzip first" : ""));
+    throw Failure(std::string("it cannot be decompressed: ") + reason.what() +
+      (beside ? "; it names files beside it, so decompress it with gunzip first" : ""));
   }
   Unpacking(path, this->File->GetPath()).Run();
 }
@@ -215,7 +218,8 @@ UnpackedFile::UnpackedFile(const std::string& path, bool beside)
 
 UnpackedFile::UnpackedFile(const std::string&, bool)
 {
-  throw Failure("this build of lambent was made without VTK::zlib; unpack it with gunzip first");
+  throw Failure(
+    "this build of lambent was made without VTK::zlib; decompress it with gunzip first");
 }
 
 #endif

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief unpacks a .gz file into a temporary file
+ * @brief decompresses a .gz file into a temporary file
  *
- * The file is unpacked in small blocks, so that its size does not matter for memory. Every length
- * and checksum in it is checked. A few hundred bytes can unpack to any size, so more than 64 MiB
- * plus 256 times the packed size is rejected. Meshes pack to a tenth at best, so no mesh exceeds
- * that limit.
+ * The file is decompressed in small blocks, so that memory use does not depend on its size. Every
+ * length and checksum in it is checked. A few hundred bytes can decompress to any size, so more
+ * than 64 MiB plus 256 times the compressed size is rejected. Meshes compress to a tenth at best,
+ * so no mesh exceeds that limit.
  */
 
 #ifndef UnpackedFile_h

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the triangles of a tile that wait to be cast, a few of them in the layout of the kernel,
- * and their hits
+ * @brief the waiting triangles of a tile, a batch of them in the layout of the kernel, and its hits
  */
 #ifndef lambent_CastBatch_h
 #define lambent_CastBatch_h
@@ -27,8 +26,8 @@ struct ExactHit
 struct WaitingTriangle
 {
   std::uint32_t number;
-  float nearest; ///< at least the nearness of all its hits
-  Window box;    ///< in samples, from the first of the tile
+  float nearest; ///< no hit is nearer
+  Window box;    ///< samples, relative to the tile
 };
 
 struct CastBatch
@@ -36,22 +35,22 @@ struct CastBatch
   static constexpr int capacity = 32, mostWaiting = 1024;
 
   int waitingCount = 0;
-  std::int64_t waitingArea = 0; ///< the sum over their boxes, in samples
+  std::int64_t waitingArea = 0; ///< total area of their boxes, in samples
   WaitingTriangle waiting[mostWaiting];
 
   // Input of the kernel.
   int count = 0;
   std::uint32_t triangles[capacity];
-  Window boxes[capacity]; ///< in samples, from the first of the tile
+  Window boxes[capacity]; ///< samples, relative to the tile
   bool cullFront[capacity], cullBack[capacity];
 
   /// The corners in world coordinates: ax, ay, az, bx, ...
   alignas(64) double points[9][capacity];
 
   // Output of the kernel.
-  std::vector<ExactHit> hits; ///< that float could not decide
-  /// All samples of the tile had a hit of at least this nearness before the batch was cast.
-  /// Triangles farther than this change nothing.
+  std::vector<ExactHit> hits; ///< those that float could not decide
+  /// Before the batch was cast, each sample of the tile had a hit of at least this nearness.
+  /// Triangles farther away change nothing.
   float least = -std::numeric_limits<float>::infinity();
 };
 }

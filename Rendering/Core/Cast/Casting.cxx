@@ -16,8 +16,8 @@ namespace
 constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
   std::numeric_limits<float>::infinity() };
 
-/// The nearest triangles are cast first if the boxes of those that wait have the area of this many
-/// tiles.
+/// If the boxes of the waiting triangles have more than the area of this many tiles, the nearest
+/// triangles are cast first.
 constexpr std::int64_t manyLayers = 16;
 
 /// Returns a function that computes the depth of a triangle at a sample of a tile.
@@ -107,8 +107,8 @@ void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::L
   }
 }
 
-/// Casts all waiting triangles. If they may cover the tile many times, the nearest are cast first,
-/// since those behind them are dropped before their points are read.
+/// Casts all waiting triangles. If they may cover the tile many times, casts the nearest first, so
+/// that triangles behind them can be dropped without reading their points.
 template <typename Policy>
 void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastBatch& batch) const
 {
@@ -128,7 +128,7 @@ void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastBatch& batch) cons
   batch.waitingArea = 0;
 }
 
-/// Casts some of the waiting triangles. Up to a batch of them may remain in the batch.
+/// Casts some of the waiting triangles. The last of them may remain in the batch.
 template <typename Policy>
 void Casting<Policy>::castWaiting(
   int begin, int end, TileHits<Policy>& tile, CastBatch& batch) const

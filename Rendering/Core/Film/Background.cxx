@@ -10,7 +10,8 @@ namespace lambent
 {
 namespace
 {
-/// The first colour exactly if the fraction is 0, even if the second one is infinite or NaN.
+/// Interpolates. If the fraction is 0, the result is exactly the first colour, even if the second
+/// is infinite or NaN.
 Vec3 mixed(const Vec3& first, const Vec3& second, double fraction)
 {
   return fraction == 0.0 ? first : first + (second - first) * fraction;
@@ -35,7 +36,8 @@ Background::Background(const Scene& scene, const Image& image)
   }
 }
 
-/// Those of the samples [begin, end) of so many along an axis with so many pixels.
+/// For the samples [begin, end) along an axis of the picture, finds the pixels of the image that
+/// each is interpolated between. The axis has `samples` samples and `pixels` pixels.
 std::vector<Background::Neighbours> Background::neighbours(
   int begin, int end, int samples, int pixels)
 {
@@ -51,7 +53,7 @@ std::vector<Background::Neighbours> Background::neighbours(
   return result;
 }
 
-/// The colour of a pixel of the image, blended with what is behind it.
+/// The colour of a pixel of the image, composited over the colour `base`.
 Vec3 Background::pixel(int column, int row, const Vec3& base) const
 {
   const AttributeSpan& pixels = this->Behind.pixels;

@@ -151,7 +151,7 @@ public:
   }
 
 private:
-  /// The prefetching of the processor does not keep up.
+  /// Prefetches a surface, because the processor's own prefetching does not keep up.
   static void prefetch(const Surface& surface)
   {
     for (std::size_t byte = 0; byte < sizeof(Surface); byte += 64)
@@ -196,7 +196,7 @@ private:
     }
   }
 
-  std::vector<Part> Parts; ///< and one that marks the end
+  std::vector<Part> Parts; ///< the last one marks the end
   std::vector<std::uint32_t> FirstParts;
   int Shift = 0;
   std::size_t Triangles = 0;

@@ -59,7 +59,7 @@ private:
   decltype(hn::IndicesFromVec(d, hn::Zero(di))) Places;
 };
 
-/// The samples of a batch from a place on, one in each lane.
+/// The samples of a batch that start at a place, one per lane.
 class VectorSamples
 {
 public:
@@ -71,7 +71,7 @@ public:
   {
   }
 
-  /// The first place of the vectors that contain the samples of a range.
+  /// The first place of the first vector that contains a sample of the range.
   static int begin(const RunRange& range)
   {
     return range.first / static_cast<int>(lanes) * static_cast<int>(lanes);

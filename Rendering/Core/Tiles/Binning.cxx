@@ -14,7 +14,7 @@ namespace
 // The kernels number points in 32 bits.
 constexpr std::size_t maximumPoints = std::numeric_limits<std::int32_t>::max();
 
-// For fewer triangles, the call of a kernel takes longer.
+// For fewer triangles, calling a kernel takes longer.
 constexpr std::size_t fewTriangles = 8;
 
 /// Does the same as addCorners().
@@ -33,11 +33,11 @@ bool addFewCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   return isSound;
 }
 
-/// Overlaps all others.
+/// The nearness of a triangle whose depth is unknown. No triangle is nearer.
 constexpr float anyNearness = std::numeric_limits<float>::infinity();
 
-/// Copies the corners of the triangles [begin, end). The loop is short, so that the processor
-/// fetches the points of several triangles at a time.
+/// Copies the corners of the triangles [begin, end). The loop is short so that the processor can
+/// fetch the points of several triangles at a time.
 template <typename Coordinate>
 void loadCorners(
   const SmallTriangles& small, int begin, int end, const Coordinate* points, CoverageBatch& batch)
@@ -210,7 +210,7 @@ void Binning::binUnplaced(BinningMemory& memory) const
     { this->binPlainly(*view.part, view.first + place - view.part->firstTriangle, memory); });
 }
 
-/// Inserts a triangle with many rays, or with a box that is not exact.
+/// Inserts a triangle that is not small, or whose box is not exact.
 void Binning::insert(std::uint32_t place, const BoxedPartView& view, BinningMemory& memory) const
 {
   const LatticeBoxes& boxes = memory.boxes;
@@ -221,7 +221,7 @@ void Binning::insert(std::uint32_t place, const BoxedPartView& view, BinningMemo
   };
   const double nearest = std::min({ depthOf(0), depthOf(1), depthOf(2) });
   memory.bins.insert(view.first + place,
-    this->Lattice.raysFrom(boxes.first[place], boxes.end[place]),
+    this->Lattice.samplesFrom(boxes.first[place], boxes.end[place]),
     this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
     nearnessOf(nearest, this->Frame.parallel).high);
 }
@@ -280,7 +280,7 @@ void Binning::load(int width, int height, BinningMemory& memory) const
 void Binning::flush(int width, int height, BinningMemory& memory) const
 {
   SmallTriangles& small = memory.small[height - 1][width - 1];
-  CoveredRays& covered = memory.covered;
+  CoveredSamples& covered = memory.covered;
   this->load(width, height, memory);
   const CoverageBatch& batch = memory.batch;
   findCoverage(batch, this->Lattice, covered);
@@ -288,17 +288,17 @@ void Binning::flush(int width, int height, BinningMemory& memory) const
   memory.bins.insertHits(covered.certain,
     [&](int k) -> Bins::SampleHit
     {
-      const CoveredRay ray = covered.certainRays[k];
-      const int t = ray.triangle();
-      return { batch.i[t] + ray.i(), batch.j[t] + ray.j(), batch.triangles[t],
+      const CoveredSample sample = covered.certainSamples[k];
+      const int t = sample.triangle();
+      return { batch.i[t] + sample.i(), batch.j[t] + sample.j(), batch.triangles[t],
         { covered.lows[t], covered.highs[t] } };
     });
   for (int k = 0; k < covered.uncertain; ++k)
   {
-    const CoveredRay& ray = covered.uncertainRays[k];
-    const int t = ray.triangle();
+    const CoveredSample& sample = covered.uncertainSamples[k];
+    const int t = sample.triangle();
     const std::uint32_t triangle = batch.triangles[t];
-    const int i = batch.i[t] + ray.i(), j = batch.j[t] + ray.j();
+    const int i = batch.i[t] + sample.i(), j = batch.j[t] + sample.j();
     double depth;
     if (this->Mesh.hits(
           triangle, this->Frame.x(this->Part.i0 + i), this->Frame.y(this->Part.j0 + j), depth))
@@ -327,10 +327,11 @@ void Binning::binPlainly(const SceneMesh::Part& part, std::size_t t, BinningMemo
   const LatticePosition c = positions[corners[2]];
   if (std::max(a.column, std::max(b.column, c.column)) < LatticePosition::notFinite)
   {
-    const Window rays = this->Culling ? this->Lattice.raysBetween(a, b, c) : this->Grid.whole();
-    if (!rays.empty())
+    const Window samples =
+      this->Culling ? this->Lattice.samplesBetween(a, b, c) : this->Grid.whole();
+    if (!samples.empty())
     {
-      bins.insert(triangle, rays, this->Culling && this->Lattice.isExact(a, b, c), anyNearness);
+      bins.insert(triangle, samples, this->Culling && this->Lattice.isExact(a, b, c), anyNearness);
     }
   }
   else if (a.column == LatticePosition::notFinite || b.column == LatticePosition::notFinite ||

@@ -69,7 +69,7 @@ struct BinningMemory
   const SceneMesh::Part* part = nullptr; ///< surface of the last small triangle, if there is one
   bool isMixed = false;                  ///< the small triangles may be of several surfaces
   CoverageBatch batch;
-  CoveredRays covered;
+  CoveredSamples covered;
 };
 
 class Binning

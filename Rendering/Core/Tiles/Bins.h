@@ -31,7 +31,7 @@ struct BinEntry
 {
   std::uint32_t triangle;
   std::uint8_t i0, i1, j0, j1;
-  float nearest; ///< at least the nearness of all its hits
+  float nearest; ///< no hit is nearer
 };
 
 /// A certain hit.
@@ -175,27 +175,27 @@ public:
     this->Hits.clear();
   }
 
-  /// Adds a triangle to the tiles that contain the samples of its box. nearest: see BinEntry. If
-  /// the box is exact, these may be finest tiles, so all boxes there are exact. Otherwise they are
-  /// tiles of a coarser level.
-  void insert(std::uint32_t triangle, const Window& rays, bool isExact, float nearest)
+  /// Adds a triangle to the tiles that contain samples of its box; `nearest` as in BinEntry. If the
+  /// box is exact, these may be finest tiles, whose boxes are all exact. Otherwise they are tiles
+  /// of a coarser level.
+  void insert(std::uint32_t triangle, const Window& samples, bool isExact, float nearest)
   {
-    const TileGrid::Level level = this->Grid->levelFor(rays, isExact ? 0 : 1);
-    const int firstColumn = level.tileOf(rays.i0), lastColumn = level.tileOf(rays.i1 - 1);
-    const int firstRow = level.tileOf(rays.j0), lastRow = level.tileOf(rays.j1 - 1);
-    const auto step = [&level](int ray)
-    { return static_cast<std::uint8_t>(ray >> level.unitShift); };
+    const TileGrid::Level level = this->Grid->levelFor(samples, isExact ? 0 : 1);
+    const int firstColumn = level.tileOf(samples.i0), lastColumn = level.tileOf(samples.i1 - 1);
+    const int firstRow = level.tileOf(samples.j0), lastRow = level.tileOf(samples.j1 - 1);
+    const auto step = [&level](int sample)
+    { return static_cast<std::uint8_t>(sample >> level.unitShift); };
     for (int row = firstRow; row <= lastRow; ++row)
     {
       const int j = row * level.size;
-      const std::uint8_t j0 = step(std::max(rays.j0 - j, 0));
-      const std::uint8_t j1 = step(std::min(rays.j1 - j, level.size) - 1);
+      const std::uint8_t j0 = step(std::max(samples.j0 - j, 0));
+      const std::uint8_t j1 = step(std::min(samples.j1 - j, level.size) - 1);
       for (int column = firstColumn; column <= lastColumn; ++column)
       {
         const int i = column * level.size;
         this->Triangles.append(level.first + row * level.columns + column,
-          { triangle, step(std::max(rays.i0 - i, 0)), step(std::min(rays.i1 - i, level.size) - 1),
-            j0, j1, nearest });
+          { triangle, step(std::max(samples.i0 - i, 0)),
+            step(std::min(samples.i1 - i, level.size) - 1), j0, j1, nearest });
       }
     }
   }
@@ -212,7 +212,7 @@ public:
   template <typename HitOf>
   void insertHits(int count, const HitOf& hitOf)
   {
-    const TileGrid::Level level = this->Finest; // in registers, whatever the loop stores
+    const TileGrid::Level level = this->Finest; // a copy, so that it stays in registers
     if (level.shift >= 0)
     {
       const int columns = level.columns, shift = level.shift, inTile = level.size - 1;

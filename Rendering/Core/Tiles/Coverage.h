@@ -74,7 +74,7 @@ struct CoverageBatch
 };
 
 /// A triangle by its place in the batch, and a sample of its box, counted from the lower left one.
-struct CoveredRay
+struct CoveredSample
 {
   std::uint32_t bits;
 
@@ -85,20 +85,20 @@ struct CoveredRay
 };
 
 /// The samples that the triangles of a batch cover, certainly or perhaps.
-struct CoveredRays
+struct CoveredSamples
 {
   // Every sample of every box of a batch, and room for a vector.
   static constexpr int capacity =
     SmallTriangles::capacity * SmallTriangles::side * SmallTriangles::side + 16;
 
   int certain = 0, uncertain = 0;
-  CoveredRay certainRays[capacity], uncertainRays[capacity];
+  CoveredSample certainSamples[capacity], uncertainSamples[capacity];
   /// The nearness range of each triangle's hits.
   float lows[SmallTriangles::capacity], highs[SmallTriangles::capacity];
 };
 
 /// Replaces the contents of `covered`.
-void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered);
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredSamples& covered);
 }
 
 #endif

@@ -52,7 +52,7 @@ void project(const PointLattice& lattice, const CoverageBatch& batch, Screen& sc
     {
       const FrameVector p = frame.toFrame(hn::Load(d, batch.points[corner] + k),
         hn::Load(d, batch.points[corner + 1] + k), hn::Load(d, batch.points[corner + 2] + k));
-      const V perUnit = hn::Div(hn::Set(d, lattice.raysPerUnit()), p.w);
+      const V perUnit = hn::Div(hn::Set(d, lattice.samplesPerUnit()), p.w);
       const V column = hn::Add(hn::Mul(p.x, perUnit), hn::Set(d, lattice.columns().origin));
       const V row = hn::Add(hn::Mul(p.y, perUnit), hn::Set(d, lattice.rows().origin));
       hn::Store(hn::DemoteTo(df, column), df, screen[corner] + k);
@@ -123,14 +123,14 @@ Products acrossRow(const Lanes& t, Floats pv)
 }
 
 /// Appends the samples that the mask selects.
-int append(FloatMask mask, hn::Vec<U> rays, CoveredRay* out)
+int append(FloatMask mask, hn::Vec<U> samples, CoveredSample* out)
 {
-  static_assert(sizeof(CoveredRay) == sizeof(std::uint32_t), "a lane is a ray");
-  return appendLanes(u, rays, hn::RebindMask(u, mask), reinterpret_cast<std::uint32_t*>(out));
+  static_assert(sizeof(CoveredSample) == sizeof(std::uint32_t), "a lane is a sample");
+  return appendLanes(u, samples, hn::RebindMask(u, mask), reinterpret_cast<std::uint32_t*>(out));
 }
 
-void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> rays,
-  CoveredRays& covered)
+void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<U> samples,
+  CoveredSamples& covered)
 {
   const Floats bc = hn::Sub(row.bc, column.bc);
   const Floats ca = hn::Sub(row.ca, column.ca);
@@ -141,14 +141,14 @@ void store(const Lanes& t, const Products& column, const Products& row, hn::Vec<
   const FloatMask isMiss = hn::And(hn::Lt(low, minusError), hn::Gt(high, t.error));
   const FloatMask hit = hn::And(isHit, t.isUsed);
   const FloatMask open = hn::AndNot(hn::Or(isMiss, isHit), t.isUsed); // includes NaN
-  covered.certain += append(hit, rays, covered.certainRays + covered.certain);
+  covered.certain += append(hit, samples, covered.certainSamples + covered.certain);
   if (HWY_UNLIKELY(!hn::AllFalse(f, open)))
   {
-    covered.uncertain += append(open, rays, covered.uncertainRays + covered.uncertain);
+    covered.uncertain += append(open, samples, covered.uncertainSamples + covered.uncertain);
   }
 }
 
-void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered)
+void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredSamples& covered)
 {
   covered.certain = covered.uncertain = 0;
   HWY_ALIGN Screen screen;
@@ -175,8 +175,8 @@ void FindCoverage(const CoverageBatch& batch, const PointLattice& lattice, Cover
       const Products row = acrossRow(t, hn::Add(firstRow, hn::Set(f, static_cast<float>(j))));
       for (int i = 0; i < batch.width; ++i)
       {
-        store(t, { bc[i], ca[i], ab[i] }, row, hn::Add(numbers, hn::Set(u, CoveredRay::at(i, j))),
-          covered);
+        store(t, { bc[i], ca[i], ab[i] }, row,
+          hn::Add(numbers, hn::Set(u, CoveredSample::at(i, j))), covered);
       }
     }
   }
@@ -191,7 +191,7 @@ namespace lambent
 {
 HWY_EXPORT(FindCoverage);
 
-void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredRays& covered)
+void findCoverage(const CoverageBatch& batch, const PointLattice& lattice, CoveredSamples& covered)
 {
   HWY_DYNAMIC_DISPATCH(FindCoverage)(batch, lattice, covered);
 }

@@ -64,7 +64,7 @@ void locate(const PointLattice& lattice, const TupleSpan& points, std::size_t be
     V x, y, z;
     loadPoints(coordinates + 3 * p, x, y, z);
     const FrameVector v = frame.toFrame(x, y, z);
-    const V perUnit = hn::Div(hn::Set(d, lattice.raysPerUnit()), v.w);
+    const V perUnit = hn::Div(hn::Set(d, lattice.samplesPerUnit()), v.w);
     const V column = hn::Add(hn::Mul(v.x, perUnit), hn::Set(d, lattice.columns().origin));
     const V row = hn::Add(hn::Mul(v.y, perUnit), hn::Set(d, lattice.rows().origin));
     hn::StoreInterleaved2(position(lattice.columns(), column, lattice.shift()),
@@ -225,13 +225,13 @@ void FindBoxes(const LatticePosition* positions, LatticeBoxes& boxes)
     const auto smallest = hn::Min(hn::Min(a, b), c), largest = hn::Max(hn::Max(a, b), c);
     const auto first = hn::ShiftRight<1>(smallest);
     const auto end = hn::ShiftRight<1>(hn::Add(largest, hn::Set(dh, 1)));
-    const auto hasRays = hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
+    const auto hasSamples = hn::Eq(hn::BitCast(dp, hn::VecFromMask(dh, hn::Lt(first, end))), isOne);
     // If a position is unplaced, both halves say so. Test the column.
     const auto unplaced = hn::Gt(
       hn::And(hn::BitCast(dp, largest), columnBits), hn::Set(dp, LatticePosition::notFinite - 1u));
     const auto isUsed = hn::Lt(hn::Iota(di, k), hn::Set(di, boxes.count));
     const auto used = hn::RebindMask(dp, isUsed);
-    const auto keep = hn::AndNot(unplaced, hn::And(hasRays, used));
+    const auto keep = hn::AndNot(unplaced, hn::And(hasSamples, used));
     const auto numbers = hn::BitCast(dp, hn::Iota(di, k));
     const auto inexact = hn::And(hn::BitCast(dp, hn::Or(hn::Or(a, b), c)), ones);
     hn::StoreU(hn::BitCast(dp, first), dp, reinterpret_cast<std::uint32_t*>(boxes.first + k));

@@ -44,7 +44,8 @@ struct LatticeBoxes
 bool addCorners(const IndexSpan& corners, std::size_t begin, std::size_t end,
   std::size_t pointCount, std::int32_t offset, LatticeBoxes& boxes);
 
-/// Computes the output. The ends are those of raysBetween() before groups of samples are expanded.
+/// Computes the output. The ends are those of samplesBetween() before groups of samples are
+/// expanded.
 void findBoxes(const LatticePosition* positions, LatticeBoxes& boxes);
 }
 

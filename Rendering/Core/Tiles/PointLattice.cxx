@@ -19,7 +19,7 @@ double marginOf(double origin, int count)
 
 PointLattice::PointLattice(const CameraFrame& frame, const Window& window)
   : Frame(frame)
-  , RaysPerUnit(1.0 / frame.pixel)
+  , SamplesPerUnit(1.0 / frame.pixel)
   , Columns{ frame.centerX - 0.5 - window.i0, marginOf(frame.centerX, window.i1), window.width() }
   , Rows{ frame.centerY - 0.5 - window.j0, marginOf(frame.centerY, window.j1), window.height() }
 {
@@ -56,7 +56,7 @@ LatticePosition PointLattice::locate(const Vec3& point) const
       isFinite(point) ? LatticePosition::anywhere : LatticePosition::notFinite;
     return { nowhere, nowhere };
   }
-  const double perUnit = this->RaysPerUnit / p.w;
+  const double perUnit = this->SamplesPerUnit / p.w;
   const double u = p.x * perUnit + this->Columns.origin;
   const double v = p.y * perUnit + this->Rows.origin;
   const LatticePosition result{ position(this->Columns, u, this->Shift),

@@ -52,7 +52,7 @@ public:
   PointLattice(const CameraFrame& frame, const Window& window);
 
   const CameraFrame& frame() const { return this->Frame; }
-  double raysPerUnit() const { return this->RaysPerUnit; }
+  double samplesPerUnit() const { return this->SamplesPerUnit; }
   const Axis& columns() const { return this->Columns; }
   const Axis& rows() const { return this->Rows; }
   int shift() const { return this->Shift; }
@@ -72,15 +72,15 @@ public:
   /// products of edge functions underflow or overflow.
   bool isPrecise() const
   {
-    return this->Columns.margin < 0.25 && this->Rows.margin < 0.25 && this->RaysPerUnit > 1e-60 &&
-      this->RaysPerUnit < 1e60;
+    return this->Columns.margin < 0.25 && this->Rows.margin < 0.25 &&
+      this->SamplesPerUnit > 1e-60 && this->SamplesPerUnit < 1e60;
   }
 
   /// The samples whose rays can hit a triangle with points at a, b and c, none of which is
   /// "anywhere" or "not finite".
-  Window raysBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
+  Window samplesBetween(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
-    return this->raysFrom(
+    return this->samplesFrom(
       { static_cast<std::uint16_t>(std::min(a.column, std::min(b.column, c.column)) >> 1),
         static_cast<std::uint16_t>(std::min(a.row, std::min(b.row, c.row)) >> 1) },
       { static_cast<std::uint16_t>((std::max(a.column, std::max(b.column, c.column)) + 1) >> 1),
@@ -88,7 +88,7 @@ public:
   }
 
   /// The samples of the groups from first up to, but not including, end.
-  Window raysFrom(LatticePosition first, LatticePosition end) const
+  Window samplesFrom(LatticePosition first, LatticePosition end) const
   {
     if (this->Shift == 0)
     {
@@ -98,7 +98,7 @@ public:
       first.row << this->Shift, std::min(end.row << this->Shift, this->Rows.count) };
   }
 
-  /// Whether raysBetween() gives exactly the samples that pass the box test of intersect(): no
+  /// Whether samplesBetween() gives exactly the samples that pass the box test of intersect(): no
   /// position is "k or k + 1", and samples are not grouped.
   bool isExact(LatticePosition a, LatticePosition b, LatticePosition c) const
   {
@@ -109,7 +109,7 @@ private:
   static std::uint16_t position(const Axis& axis, double u, int shift);
 
   CameraFrame Frame;
-  double RaysPerUnit;
+  double SamplesPerUnit;
   Axis Columns, Rows;
   int Shift = 0;
 };
