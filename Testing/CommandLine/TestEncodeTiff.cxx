@@ -4,6 +4,7 @@
 #include "EncodeTiff.h"
 #include "Messages.h"
 #include "TemporaryFile.h"
+#include "TiffErrors.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -108,20 +109,51 @@ TEST(EncodeTiff, OtherNumbersOfChannelsAreRefused)
   }
 }
 
+TEST(EncodeTiff, MoreThanOffsetsCanReachIsRefused)
+{
+  const auto image = MakeImage(1, 1, VTK_UNSIGNED_CHAR, 3);
+  image->SetDimensions(40000, 40000, 1); // 4.8e9 bytes, if there were pixels
+  try
+  {
+    EncodeTiff(image);
+    FAIL();
+  }
+  catch (const Failure& failure)
+  {
+    EXPECT_STREQ("the picture is too large for this kind of file; choose a name that ends in .vti",
+      failure.what());
+  }
+}
+
 // 4096 rows of 16 bytes fill a strip of 64 KiB.
-TEST(EncodeTiff, PixelsFollowTheTags)
+TEST(EncodeTiff, PixelsFollowTheHeader)
 {
   for (const int height : { 1, 2, 4096, 4097 })
   {
     const auto image = MakeImage(1, height, VTK_FLOAT, 4);
-    const std::size_t pixels = std::size_t{ 16 } * static_cast<std::size_t>(height);
     const std::vector<unsigned char> bytes = EncodeTiff(image);
-    ASSERT_GT(bytes.size(), pixels);
-    EXPECT_EQ((bytes.size() - pixels) % 4, 0u);
-    EXPECT_EQ(0,
-      std::memcmp(
-        bytes.data() + bytes.size() - pixels, image->GetScalarPointer(0, height - 1, 0), 16));
-    EXPECT_EQ(
-      0, std::memcmp(bytes.data() + bytes.size() - 16, image->GetScalarPointer(0, 0, 0), 16));
+    const std::size_t header = 8, last = header + 16 * (static_cast<std::size_t>(height) - 1);
+    ASSERT_GT(bytes.size(), last + 16);
+    EXPECT_EQ(0, std::memcmp(&bytes[header], image->GetScalarPointer(0, height - 1, 0), 16));
+    EXPECT_EQ(0, std::memcmp(&bytes[last], image->GetScalarPointer(0, 0, 0), 16));
+    EXPECT_EQ(bytes, EncodeTiff(image));
   }
+}
+
+// The handlers are global, and VTK's reader sets them as well.
+TEST(TiffErrors, HandlersAreRestored)
+{
+  const TIFFErrorHandler handler = [](const char*, const char*, va_list) {};
+  const TIFFErrorHandler before = TIFFSetErrorHandler(handler);
+  const TIFFErrorHandler warningsBefore = TIFFSetWarningHandler(handler);
+  {
+    const TiffErrors errors;
+    EXPECT_STREQ("", errors.First());
+    EXPECT_EQ(nullptr, TIFFOpen("no/such/file.tif", "r"));
+    EXPECT_EQ(nullptr, TIFFOpen("another.tif", "r"));
+    EXPECT_NE(nullptr, std::strstr(errors.First(), "no/such/file.tif")) << errors.First();
+  }
+  EXPECT_STREQ("", TiffErrors().First());
+  EXPECT_EQ(handler, TIFFSetErrorHandler(before));
+  EXPECT_EQ(handler, TIFFSetWarningHandler(warningsBefore));
 }
