@@ -5,8 +5,8 @@
  * @brief reads the image of `--background-image`
  *
  * PNG files are read by vtkLambentPNGReader, VTK's images after a check of their XML, PNM by
- * ReadPnm(). VTK's readers for JPEG, TIFF and BMP trust the file, so they run in a child process
- * (see Isolated.h), after a check of what they would read wrongly (see CheckImage.h).
+ * ReadPnm(), TIFF by libtiff. VTK's readers for JPEG and BMP trust the file, and a TIFF can ask for
+ * any amount of memory, so these three are read in a child process (see Isolated.h).
  */
 
 #ifndef ReadBackground_h
