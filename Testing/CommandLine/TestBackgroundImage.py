@@ -208,6 +208,15 @@ class TestKinds(BackgroundTest):
         self.assertEqual(rows[0], rows[1])
         self.assertEqual([pixel[0] for pixel in rows[0]], [0, 0, 32, 96, 159, 223, 255, 255])
 
+    def test_each_sample_has_a_colour_of_its_own(self):
+        """As README.md says: of the same size it softens edges, of the samples' size it is averaged."""
+        rows = self.background("b.png", png([[(v,) * 3 for v in (0, 0, 255, 255)]]), "--supersampling",
+                               "3", size="4x1")
+        self.assertEqual([pixel[0] for pixel in rows[0]], [0, 28, 227, 255])  # (0 + 0 + 1/3) / 3
+        large = [[(10 * i + 3 * j,) * 3 for i in range(12)] for j in range(9)]
+        mean = [[(10 * (3 * i + 1) + 3 * (3 * j + 1),) * 3 for i in range(4)] for j in range(3)]
+        self.assertEqual(self.background("large.png", png(large), "--supersampling", "3"), mean)
+
     def test_surfaces_are_in_front(self):
         self.write("b.png", png([[(0, 0, 255)]]))
         self.succeed("square.obj", "-o", "x.png", "--background-image", "b.png", "--size", "9x9",
