@@ -50,6 +50,12 @@ void CheckFilm(const Options& options)
     }
     if (pass.file.empty() && PictureKindOf(options.output) != PictureKind::Vti)
     {
+      if (PictureKindOf(pass.text))
+      {
+        throw CLI::ValidationError("--pass",
+          "'" + pass.text +
+            "' is only a file; say what to store in it, such as depth=" + pass.text);
+      }
       throw CLI::ValidationError("--pass",
         "'" + pass.text + "' names no file, such as " + pass.text +
           "=FILE.tif; only a picture that is a .vti holds passes itself");

@@ -146,7 +146,7 @@ class TestInputs(PassTest):
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
         self.write("bare.vtp", vtp(SQUARE))
-        self.assertIn("there are: none",
+        self.assertIn("there are: none; and without an array: depth, normals, positions, ids, input-ids",
                       self.fail_with(1, "bare.vtp", "-o", "y.png", "--pass", "plane=b.tif"))
 
     def test_an_input_without_the_array_has_no_values(self):
@@ -192,6 +192,7 @@ class TestRefusing(PassTest):
     def test_wrong_usage(self):
         for value, words in (
                 ("depth", "names no file, such as depth=FILE.tif"), ("", "names no array"),
+                ("d.tif", "'d.tif' is only a file; say what to store in it, such as depth=d.tif"),
                 ("=x.tif", "names no array"), ("point:=x.tif", "names no array"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
                 ("depth=-", "'-' does not end in"), ("Normals=x.tif", "an array of the picture itself"),
