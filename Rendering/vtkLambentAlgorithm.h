@@ -148,9 +148,10 @@ public:
    * float scalars of 1 to 4 components: grey, grey and alpha, RGB or RGBA. Where its alpha
    * (straight) is below 1, Background shows through. The image is stretched to the whole picture;
    * between the centres of its pixels colours are interpolated linearly, beyond them they are those
-   * of the edge. So an image of the picture's size is reproduced exactly. An image that is much
-   * larger than the picture should be reduced first, with vtkImageResize. It is shared with the
-   * caller and not updated. Default: none (nullptr).
+   * of the edge. So an image of the picture's size is reproduced exactly if Supersampling is 1;
+   * with more samples, its hard edges become softer. An image that is more than Supersampling
+   * times as large as the picture should be reduced first, with vtkImageResize. It is shared with
+   * the caller and not updated. Default: none (nullptr).
    */
   virtual void SetBackgroundImage(vtkImageData* image);
   vtkImageData* GetBackgroundImage() { return this->BackgroundImage; }

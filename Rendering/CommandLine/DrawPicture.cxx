@@ -19,6 +19,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <utility>
+
 namespace lambent::command
 {
 namespace
@@ -62,6 +64,22 @@ void WarnIfNothingIsSeen(
   }
 }
 
+/// The ray tracer's error. Remedies that name methods become ones that name options.
+std::string InWordsOfOptions(const std::string& error)
+{
+  for (const auto& [method, option] : { std::pair("Call SetImageSize()", "Choose a smaller --size"),
+         std::pair("Call vtkCamera::SetViewUp()", "Choose another --view-up"),
+         std::pair("Move one of them with vtkCamera", "Move --camera-position or --focal-point") })
+  {
+    const std::size_t remedy = error.find(method);
+    if (remedy != std::string::npos)
+    {
+      return error.substr(0, remedy) + option;
+    }
+  }
+  return error.empty() ? "the picture came out empty" : error;
+}
+
 } // namespace
 
 Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* background,
@@ -79,7 +97,7 @@ Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* 
   const std::string error = messages.TakeError();
   if (!error.empty() || tracer->GetOutput()->GetNumberOfPoints() == 0)
   {
-    throw Failure("cannot render: " + (error.empty() ? "the picture is empty" : error));
+    throw Failure("cannot render: " + InWordsOfOptions(error));
   }
   progress.Erase();
   messages.FlushWarnings("");

@@ -3,6 +3,7 @@
 
 #include "EncodeTiff.h"
 #include "Messages.h"
+#include "TiffErrors.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -10,118 +11,68 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
+#include <exception>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace lambent::command
 {
 namespace
 {
 
-enum Type : std::uint16_t
-{
-  Short = 3,
-  Long = 4,
-  Rational = 5
-};
-
-struct Tag
-{
-  std::uint16_t number;
-  Type type;
-  std::vector<std::uint32_t> values; ///< a rational is two values
-};
-
-template <typename Value>
-void Append(std::vector<unsigned char>& bytes, Value value)
-{
-  const auto* const first = reinterpret_cast<const unsigned char*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof(value));
-}
-
-std::vector<unsigned char> ValuesOf(const Tag& tag)
+/// A file in memory. libtiff calls these functions, so they must not throw.
+struct MemoryFile
 {
   std::vector<unsigned char> bytes;
-  for (const std::uint32_t value : tag.values)
-  {
-    tag.type == Short ? Append(bytes, static_cast<std::uint16_t>(value)) : Append(bytes, value);
-  }
-  return bytes;
-}
+  std::size_t position = 0;
 
-/// The header, the tags in ascending order, and the values that do not fit into their tags.
-std::vector<unsigned char> HeaderOf(const std::vector<Tag>& tags)
-{
-  const std::uint16_t one = 1;
-  const bool isLittleEndian = *reinterpret_cast<const unsigned char*>(&one) == 1;
-  std::vector<unsigned char> bytes(2, isLittleEndian ? 'I' : 'M');
-  Append(bytes, std::uint16_t{ 42 });
-  Append(bytes, std::uint32_t{ 8 }); // the offset of the tags
-  Append(bytes, static_cast<std::uint16_t>(tags.size()));
-  const std::size_t tagSize = 12;
-  const std::size_t end = bytes.size() + tags.size() * tagSize + sizeof(std::uint32_t);
-  std::vector<unsigned char> further;
-  for (const Tag& tag : tags)
+  static MemoryFile& Of(thandle_t handle) { return *static_cast<MemoryFile*>(handle); }
+
+  static tmsize_t Read(thandle_t, void*, tmsize_t) { return 0; } // a new file has nothing to read
+
+  static tmsize_t Write(thandle_t handle, void* data, tmsize_t size)
   {
-    std::vector<unsigned char> values = ValuesOf(tag);
-    Append(bytes, tag.number);
-    Append(bytes, static_cast<std::uint16_t>(tag.type));
-    Append(bytes, static_cast<std::uint32_t>(tag.values.size() / (tag.type == Rational ? 2 : 1)));
-    if (values.size() > sizeof(std::uint32_t))
+    MemoryFile& file = Of(handle);
+    const std::size_t end = file.position + static_cast<std::size_t>(size);
+    try
     {
-      Append(bytes, static_cast<std::uint32_t>(end + further.size()));
-      further.insert(further.end(), values.begin(), values.end());
+      file.bytes.resize(std::max(file.bytes.size(), end));
     }
-    else
+    catch (const std::exception&)
     {
-      values.resize(sizeof(std::uint32_t)); // shorts are left-justified
-      bytes.insert(bytes.end(), values.begin(), values.end());
+      return 0;
     }
+    std::memcpy(file.bytes.data() + file.position, data, static_cast<std::size_t>(size));
+    file.position = end;
+    return size;
   }
-  Append(bytes, std::uint32_t{ 0 }); // there is no second image
-  bytes.insert(bytes.end(), further.begin(), further.end());
-  bytes.resize((bytes.size() + 3) / 4 * 4);
-  return bytes;
-}
+
+  /// `whence` is SEEK_SET, SEEK_CUR or SEEK_END, in C's order 0, 1, 2.
+  static toff_t Seek(thandle_t handle, toff_t offset, int whence)
+  {
+    MemoryFile& file = Of(handle);
+    const toff_t starts[] = { 0, file.position, file.bytes.size() };
+    return file.position = starts[whence] + offset; // may be behind the end
+  }
+
+  static int Close(thandle_t) { return 0; }
+
+  static toff_t Size(thandle_t handle) { return Of(handle).bytes.size(); }
+};
 
 struct Layout
 {
-  std::uint32_t width, height, channels, channelSize, rowsPerStrip;
+  std::uint32_t width, height;
+  std::uint16_t channels, channelSize;
   std::size_t rowSize() const { return std::size_t{ 1 } * width * channels * channelSize; }
+  std::uint32_t rowsPerStrip() const
+  {
+    return std::max(1u, static_cast<std::uint32_t>(65536 / rowSize()));
+  }
 };
-
-std::vector<Tag> TagsOf(const Layout& layout, std::size_t firstPixel)
-{
-  const bool isFloat = layout.channelSize == sizeof(float);
-  std::vector<std::uint32_t> offsets, sizes;
-  for (std::uint32_t row = 0; row < layout.height; row += layout.rowsPerStrip)
-  {
-    const std::uint32_t rows = std::min(layout.rowsPerStrip, layout.height - row);
-    offsets.push_back(static_cast<std::uint32_t>(firstPixel + row * layout.rowSize()));
-    sizes.push_back(static_cast<std::uint32_t>(rows * layout.rowSize()));
-  }
-  const auto forEachChannel = [&layout](std::uint32_t value)
-  { return std::vector<std::uint32_t>(layout.channels, value); };
-  std::vector<Tag> tags = {
-    { 256, Long, { layout.width } }, { 257, Long, { layout.height } },
-    { 258, Short, forEachChannel(8 * layout.channelSize) }, { 259, Short, { 1 } }, // not compressed
-    { 262, Short, { layout.channels < 3 ? 1u : 2u } }, // grey, 0 is black; or RGB
-    { 273, Long, offsets }, { 274, Short, { 1 } },     // the top row comes first
-    { 277, Short, { layout.channels } }, { 278, Long, { layout.rowsPerStrip } },
-    { 279, Long, sizes }, { 282, Rational, { 1, 1 } },  // pixels are square
-    { 283, Rational, { 1, 1 } }, { 284, Short, { 1 } }, // the channels of a pixel are adjacent
-    { 296, Short, { 1 } },                              // no unit of length
-  };
-  if (layout.channels == 4)
-  {
-    tags.push_back({ 338, Short, { isFloat ? 0u : 2u } }); // unspecified, or straight alpha
-  }
-  if (isFloat)
-  {
-    tags.push_back({ 339, Short, forEachChannel(3) }); // IEEE
-  }
-  return tags;
-}
 
 Layout LayoutOf(vtkImageData* image)
 {
@@ -133,14 +84,56 @@ Layout LayoutOf(vtkImageData* image)
     throw Failure("a TIFF file holds 1, 3 or 4 numbers per pixel, and this array has " +
       std::to_string(channels) + "; choose a name that ends in .vti");
   }
-  Layout layout;
-  layout.width = static_cast<std::uint32_t>(size[0]);
-  layout.height = static_cast<std::uint32_t>(size[1]);
-  layout.channels = static_cast<std::uint32_t>(channels);
-  layout.channelSize = static_cast<std::uint32_t>(pixels->GetDataTypeSize());
-  layout.rowsPerStrip =
-    static_cast<std::uint32_t>(std::max<std::size_t>(1, 65536 / layout.rowSize()));
+  const Layout layout = { static_cast<std::uint32_t>(size[0]), static_cast<std::uint32_t>(size[1]),
+    static_cast<std::uint16_t>(channels), static_cast<std::uint16_t>(pixels->GetDataTypeSize()) };
+  if (layout.rowSize() * layout.height >
+    0xFFFFFFFF - (std::size_t{ 1 } << 26)) // leaves room for tags
+  {
+    throw Failure(
+      "the picture is too large for this kind of file; choose a name that ends in .vti");
+  }
   return layout;
+}
+
+void SetTags(TIFF* tiff, const Layout& layout)
+{
+  const bool isFloat = layout.channelSize == sizeof(float);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, layout.width);
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, layout.height);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8 * layout.channelSize);
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, layout.channels);
+  TIFFSetField(
+    tiff, TIFFTAG_PHOTOMETRIC, layout.channels < 3 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_NONE);
+  TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, layout.rowsPerStrip());
+  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 1.0); // pixels are square, of no unit of length
+  TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 1.0);
+  TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
+  if (layout.channels == 4)
+  {
+    const std::uint16_t fourth = isFloat ? EXTRASAMPLE_UNSPECIFIED : EXTRASAMPLE_UNASSALPHA;
+    TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &fourth);
+  }
+  if (isFloat)
+  {
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+  }
+}
+
+bool WriteRows(TIFF* tiff, const Layout& layout, vtkImageData* image)
+{
+  auto* const bottom =
+    static_cast<unsigned char*>(image->GetPointData()->GetScalars()->GetVoidPointer(0));
+  for (std::uint32_t row = 0; row < layout.height; ++row)
+  {
+    if (TIFFWriteScanline(tiff, bottom + (layout.height - 1 - row) * layout.rowSize(), row, 0) != 1)
+    {
+      return false;
+    }
+  }
+  return TIFFFlush(tiff) == 1; // the last strip and the tags
 }
 
 } // namespace
@@ -148,24 +141,23 @@ Layout LayoutOf(vtkImageData* image)
 std::vector<unsigned char> EncodeTiff(vtkImageData* image)
 {
   const Layout layout = LayoutOf(image);
-  const std::size_t pixels = layout.rowSize() * layout.height;
-  if (pixels > 0xFFFFFFFF - (std::size_t{ 1 } << 26)) // leaves room for the tags
+  const TiffErrors errors;
+  MemoryFile file;
+  file.bytes.reserve(layout.rowSize() * layout.height + 65536); // for most pictures enough
+  std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(
+    TIFFClientOpen("", "w", &file, MemoryFile::Read, MemoryFile::Write, MemoryFile::Seek,
+      MemoryFile::Close, MemoryFile::Size, nullptr, nullptr),
+    TIFFClose);
+  if (tiff)
   {
-    throw Failure(
-      "the picture is too large for this kind of file; choose a name that ends in .vti");
+    SetTags(tiff.get(), layout);
   }
-  // The size of the header does not depend on the offsets in it.
-  const std::size_t firstPixel = HeaderOf(TagsOf(layout, 0)).size();
-  std::vector<unsigned char> bytes = HeaderOf(TagsOf(layout, firstPixel));
-  bytes.resize(firstPixel + pixels);
-  const auto* const bottom =
-    static_cast<const unsigned char*>(image->GetPointData()->GetScalars()->GetVoidPointer(0));
-  for (std::uint32_t row = 0; row < layout.height; ++row)
+  if (!tiff || !WriteRows(tiff.get(), layout, image))
   {
-    std::memcpy(bytes.data() + firstPixel + row * layout.rowSize(),
-      bottom + (layout.height - 1 - row) * layout.rowSize(), layout.rowSize());
+    throw Failure(std::string("libtiff failed: ") + errors.First());
   }
-  return bytes;
+  tiff.reset(); // before the bytes move away
+  return std::move(file.bytes);
 }
 
 } // namespace lambent::command

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief encodes an image as an uncompressed TIFF file
+ * @brief encodes an image as an uncompressed TIFF file, with libtiff
  *
- * The pixels are stored unchanged: bytes or 32-bit floats, 1, 3 or 4 channels, the top row first.
+ * The pixels are stored unchanged: bytes or 32-bit floats, 1, 3 or 4 channels, the top row first,
+ * in strips of about 64 KiB.
  * The fourth of four bytes is straight alpha; the fourth of four floats has no defined meaning.
  * vtkTIFFWriter would declare premultiplied alpha, and does not report write errors.
  *
- * The file consists of a header, the tags with their values, and the pixels in strips of about 64
- * KiB (Adobe, TIFF, revision 6.0, 1992). Its byte order is that of the machine.
+ * Equal images give equal files, in the byte order of the machine.
  *
  * Limit: the pixels must take less than 4 GiB, because offsets have 32 bits.
  */

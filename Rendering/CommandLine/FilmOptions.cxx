@@ -50,6 +50,12 @@ void CheckFilm(const Options& options)
     }
     if (pass.file.empty() && PictureKindOf(options.output) != PictureKind::Vti)
     {
+      if (PictureKindOf(pass.text))
+      {
+        throw CLI::ValidationError("--pass",
+          "'" + pass.text +
+            "' is only a file; say what to store in it, such as depth=" + pass.text);
+      }
       throw CLI::ValidationError("--pass",
         "'" + pass.text + "' needs a file, such as " + pass.text +
           "=FILE.tif; only a .vti picture can hold passes itself");

@@ -48,6 +48,14 @@ std::string OneLine(const std::string& message)
     }
   }
   line.erase(line.find_last_not_of(" .") + 1);
+  // vtkExecutive lists its whole request, with addresses: "Algorithm vtkPLYReader(0x55d0c8a3) ...".
+  const std::string executive = "Algorithm ";
+  if (line.compare(0, executive.size(), executive) == 0 &&
+    line.find(" returned failure for request") != std::string::npos)
+  {
+    line.erase(line.find_first_of(" (", executive.size()));
+    line = line.substr(executive.size()) + " failed without a reason";
+  }
   return line;
 }
 

@@ -206,6 +206,16 @@ void CheckFiles(const CLI::App& app, const Options& options)
   }
 }
 
+/// One line, in plain words where CLI11 has none.
+std::string Describe(const CLI::ParseError& error)
+{
+  const std::string text = OneLine(error.what());
+  const std::size_t option = text.find(": At Most 1 required but received ");
+  return option == std::string::npos ? text
+                                     : text.substr(0, option) + " is given " +
+      text.substr(text.rfind(' ') + 1) + " times; give it once";
+}
+
 } // namespace
 
 Parsed ParseOptions(int argc, const char* const* argv, const std::string& version)
@@ -254,7 +264,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
   catch (const CLI::ParseError& error)
   {
     parsed.exitStatus = 2;
-    parsed.standardError = "lambent: " + OneLine(error.what()) + "\nTry 'lambent --help'.\n";
+    parsed.standardError = "lambent: " + Describe(error) + "\nTry 'lambent --help'.\n";
   }
   return parsed;
 }

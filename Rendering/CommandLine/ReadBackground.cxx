@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "ReadBackground.h"
+#include "CheckBmp.h"
 #include "CheckFile.h"
-#include "CheckImage.h"
 #include "FileKinds.h"
 #include "Isolated.h"
 #include "Messages.h"
@@ -11,6 +11,7 @@
 #include "ReadPicture.h"
 #include "ReadPnm.h"
 #include "ReadThroughVtk.h"
+#include "ReadTiff.h"
 
 #include "vtkBMPReader.h"
 #include "vtkCellData.h"
@@ -22,7 +23,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTIFFReader.h"
 
 #include <algorithm>
 #include <array>
@@ -63,36 +63,6 @@ vtkSmartPointer<vtkImageData> AsImage(vtkPolyData* mesh)
   return image;
 }
 
-/// Corrects two errors of vtkTIFFReader: it puts the first row of a file at the bottom, whatever
-/// the orientation, and inverts the alpha of bytes.
-void CorrectTiff(vtkImageData* image)
-{
-  vtkDataArray* const pixels = image->GetPointData()->GetScalars();
-  const int* const size = image->GetDimensions();
-  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(size[0]) *
-    pixels->GetNumberOfComponents() * pixels->GetDataTypeSize();
-  auto* const first = static_cast<unsigned char*>(pixels->GetVoidPointer(0));
-  for (int j = 0; j < size[1] / 2; ++j)
-  {
-    std::swap_ranges(first + j * row, first + (j + 1) * row, first + (size[1] - 1 - j) * row);
-  }
-  for (std::ptrdiff_t k = 3; pixels->GetNumberOfComponents() == 4 && k < row * size[1]; k += 4)
-  {
-    first[k] = static_cast<unsigned char>(255 - first[k]);
-  }
-}
-
-/// Four channels of a JPEG are CMYK.
-void CheckJpeg(vtkImageData* image)
-{
-  if (image->GetPointData()->GetScalars()->GetNumberOfComponents() > 3)
-  {
-    throw Failure("its colours are CMYK; convert it to RGB");
-  }
-}
-
-void Accept(vtkImageData*) {}
-
 /// Throws Failure unless the image has one slice and a value for each pixel.
 void CheckPixels(vtkImageData* image)
 {
@@ -118,8 +88,8 @@ void CheckPixels(vtkImageData* image)
 }
 
 template <typename Reader>
-vtkSmartPointer<vtkImageData> ReadIn(const std::string& path, void (*correct)(vtkImageData*),
-  VtkMessages& messages, Progress& progress)
+vtkSmartPointer<vtkImageData> ReadIn(
+  const std::string& path, VtkMessages& messages, Progress& progress)
 {
   const auto read = [&]
   {
@@ -130,8 +100,6 @@ vtkSmartPointer<vtkImageData> ReadIn(const std::string& path, void (*correct)(vt
     }
     reader->SetFileName(path.c_str());
     const auto image = vtkImageData::SafeDownCast(Run(reader, messages, progress));
-    CheckPixels(image);
-    correct(image);
     const std::vector<std::string> warnings = messages.TakeWarnings();
     if (!warnings.empty()) // the readers only warn if a file is incomplete
     {
@@ -149,13 +117,18 @@ vtkSmartPointer<vtkImageData> ReadKind(
   switch (*PictureKindOf(path))
   {
     case PictureKind::Jpeg:
-      return ReadIn<vtkJPEGReader>(path, CheckJpeg, messages, progress);
+    {
+      const auto image = ReadIn<vtkJPEGReader>(path, messages, progress);
+      return image->GetNumberOfScalarComponents() < 4
+        ? image
+        : throw Failure("its colours are CMYK; convert it to RGB");
+    }
     case PictureKind::Tiff:
-      CheckTiff(path);
-      return ReadIn<vtkTIFFReader>(path, CorrectTiff, messages, progress);
+      return AsImage(ReadIsolated(
+        [&path] { return AsMesh(ReadTiff(path)); }, LimitsFor(path, false), messages, progress));
     case PictureKind::Bmp:
       CheckBmp(path);
-      return ReadIn<vtkBMPReader>(path, Accept, messages, progress);
+      return ReadIn<vtkBMPReader>(path, messages, progress);
     case PictureKind::Pnm:
       return ReadPnm(path);
     case PictureKind::Png:

@@ -4,9 +4,9 @@
  * @file
  * @brief reads the image of `--background-image`
  *
- * vtkLambentPNGReader reads PNG files, ReadPnm() reads PNM, and VTK reads its own images after a
- * check of their XML. VTK's readers for JPEG, TIFF and BMP trust the file, so they run in a child
- * process (see Isolated.h), and only on files that they read correctly (see CheckImage.h).
+ * PNG files are read by vtkLambentPNGReader, VTK's images after a check of their XML, PNM by
+ * ReadPnm(), TIFF by libtiff. VTK's readers for JPEG and BMP trust the file, and a TIFF can ask for
+ * any amount of memory, so these three are read in a child process (see Isolated.h).
  */
 
 #ifndef ReadBackground_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Messages.h"
 #include "Options.h"
 
 #include <gtest/gtest.h>
@@ -109,4 +110,22 @@ TEST(Options, WrongUsageIsOneLineAndAHint)
   EXPECT_EQ(Parse({ "a.ply", "-o", "x.png", "--size", "1\n2" }).standardError,
     "lambent: --size: '1 2' is not a size in pixels of at least 1x1, such as 1920x1080\n"
     "Try 'lambent --help'.\n");
+}
+
+TEST(Options, OneFileTwiceIsSaidPlainly)
+{
+  EXPECT_EQ(Parse({ "a.ply", "-o", "x.png", "-o", "y.png", "-o", "z.png" }).standardError,
+    "lambent: --output is given 3 times; give it once\nTry 'lambent --help'.\n");
+}
+
+TEST(Messages, RequestsOfThePipelineAreLeftOut)
+{
+  for (const std::string& address : { "(0x55d0c8a3)", " (0x55d0c8a3)" })
+  {
+    EXPECT_EQ(
+      OneLine("ERROR: In vtkExecutive.cxx, line 752\nvtkCompositeDataPipeline (0x55d0c8a4): "
+              "Algorithm vtkPLYReader" +
+        address + " returned failure for request: vtkInformation (0x5614)\n  Debug: Off\n"),
+      "vtkPLYReader failed without a reason");
+  }
 }

@@ -146,7 +146,7 @@ class TestInputs(PassTest):
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
         self.write("bare.vtp", vtp(SQUARE))
-        self.assertIn("the arrays are: none",
+        self.assertIn("there are: none; and without an array: depth, normals, positions, ids, input-ids",
                       self.fail_with(1, "bare.vtp", "-o", "y.png", "--pass", "plane=b.tif"))
 
     def test_inputs_without_the_array_are_nan(self):
@@ -191,8 +191,9 @@ class TestRefusing(PassTest):
 
     def test_invalid_passes_are_refused(self):
         for value, words in (
-                ("depth", "needs a file, such as depth=FILE.tif"), ("", "needs a name"),
-                ("=x.tif", "needs a name"), ("point:=x.tif", "needs a name"),
+                ("depth", "names no file, such as depth=FILE.tif"), ("", "names no array"),
+                ("d.tif", "'d.tif' is only a file; say what to store in it, such as depth=d.tif"),
+                ("=x.tif", "names no array"), ("point:=x.tif", "names no array"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
                 ("depth=-", "'-' does not end in"),
                 ("Normals=x.tif", "an array that the picture itself has"),

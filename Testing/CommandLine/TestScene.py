@@ -110,6 +110,11 @@ class TestCamera(CommandTest):
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--view-up", "0,0,1",
                               "--direction", "0,0,1")
         self.assertIn("cannot render: ", line)
+        self.assertIn("parallel to its view direction. Choose another --view-up", line)
+
+    def test_an_eye_that_is_too_far_away(self):
+        line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--camera-position", "0,0,1e300")
+        self.assertIn("coincide. Move --camera-position or --focal-point", line)
 
     def test_a_camera_at_its_focal_point_is_refused(self):
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--camera-position", "1,2,3",

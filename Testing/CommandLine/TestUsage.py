@@ -43,6 +43,8 @@ class TestUsage(CommandTest):
     def test_sizes_beyond_memory_are_errors(self):
         line = self.fail_with(1, "square.obj", "-o", "x.png", "--size", "1000000x1000000")
         self.assertIn("1000000", line)
+        self.assertIn(". Choose a smaller --size", line)
+        self.assertNotIn("()", line)
 
     def test_numbers_are_finite_and_in_range(self):
         for option in ("--view-angle", "--parallel-scale", "--zoom", "--diffuse", "--ambient",

@@ -89,12 +89,12 @@ def read_tiff(content):
     row = one[WIDTH] * channels * one[BITS] // 8
     left = [min(one[ROWS], one[HEIGHT] - k) * row for k in range(0, one[HEIGHT], one[ROWS])]
     assert list(tags[SIZES]) == left
-    data = b""
+    data, end = b"", 8  # the strips follow the header and one another
     for start, size in zip(tags[STRIPS], tags[SIZES]):
-        assert not data or start == end
+        assert start == end
         data += content[start:start + size]
         end = start + size
-    assert end == len(content) and len(data) == one[HEIGHT] * row
+    assert len(data) == one[HEIGHT] * row
     values = struct.unpack(order + ("%df" % (len(data) // 4) if is_float else "%dB" % len(data)), data)
     return rows_of(values, one[WIDTH], channels)
 

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief keeps libtiff from printing, and keeps its first error
+ *
+ * Sets the handlers of the whole process, because handlers of a single file need libtiff 4.5, and
+ * VTK's own copy may be older. So there must be one object at a time.
+ */
+
+#ifndef TiffErrors_h
+#define TiffErrors_h
+
+#include "vtk_tiff.h"
+
+namespace lambent::command
+{
+
+class TiffErrors
+{
+public:
+  TiffErrors();
+  ~TiffErrors();
+  TiffErrors(const TiffErrors&) = delete;
+  TiffErrors& operator=(const TiffErrors&) = delete;
+
+  /// The first error since this object was made; empty if there was none.
+  const char* First() const;
+
+private:
+  TIFFErrorHandler OnError;
+  TIFFErrorHandler OnWarning;
+};
+
+} // namespace lambent::command
+
+#endif
