@@ -141,7 +141,7 @@ class TestInputs(PassTest):
 
     def test_missing_arrays_are_errors_that_list_the_arrays(self):
         for word in ("none", "cell:plane", "point:region", "Plane"):
-            self.assertIn("--pass %s: no input has such an array; the arrays are: point:both, "
+            self.assertIn("--pass %s: no input has such an array; there are: point:both, "
                           "point:doubles, point:plane, cell:both, cell:four, cell:huge, cell:large, "
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
@@ -191,9 +191,9 @@ class TestRefusing(PassTest):
 
     def test_invalid_passes_are_refused(self):
         for value, words in (
-                ("depth", "names no file, such as depth=FILE.tif"), ("", "names no array"),
+                ("depth", "needs a file, such as depth=FILE.tif"), ("", "needs a name"),
                 ("d.tif", "'d.tif' is only a file; say what to store in it, such as depth=d.tif"),
-                ("=x.tif", "names no array"), ("point:=x.tif", "names no array"),
+                ("=x.tif", "needs a name"), ("point:=x.tif", "needs a name"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
                 ("depth=-", "'-' does not end in"),
                 ("Normals=x.tif", "an array that the picture itself has"),

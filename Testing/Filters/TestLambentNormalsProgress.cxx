@@ -164,12 +164,19 @@ TEST(LambentNormalsProgress, AbortGivesAnEmptyOutputAndTheNextOneIsRight)
     normals->Update();
     const std::vector<float> expected = normalsOf(normals);
     const std::size_t moments = watcher.told.size();
+    int aborted = 0;
     for (std::size_t k = 0; k + 1 < moments; k += 1 + moments / 10)
     {
       watcher.told.clear();
       watcher.abortAt = k;
       normals->Modified();
       normals->Update();
+      // The number of reports depends on how long the work takes, so there may be fewer than k.
+      if (watcher.told.size() <= k + 1 && watcher.told.back() == 1.0)
+      {
+        continue;
+      }
+      ++aborted;
       EXPECT_LE(watcher.told.size(), k + 2) << "works on after an abort";
       EXPECT_EQ(normals->GetOutput()->GetNumberOfPoints(), 0) << k;
       EXPECT_EQ(normals->GetOutput()->GetNumberOfCells(), 0) << k;
@@ -178,6 +185,7 @@ TEST(LambentNormalsProgress, AbortGivesAnEmptyOutputAndTheNextOneIsRight)
       normals->Update(); // although nothing has changed
       EXPECT_EQ(normalsOf(normals), expected) << k;
     }
+    EXPECT_GT(aborted, 0);
     EXPECT_TRUE(messages.errors.empty());
     EXPECT_TRUE(messages.warnings.empty());
   }
