@@ -38,6 +38,13 @@ TEST(BadSettings, Supersampling)
   }
 }
 
+TEST(BadSettings, FeatureAngle)
+{
+  expectError([](Studio& s) { s.tracer->SetFeatureAngle(notANumber); },
+    { "feature angle is not a finite number", "SetFeatureAngle()", "0 to 180 degrees" },
+    [](Studio& s) { s.tracer->SetFeatureAngle(30.0); });
+}
+
 TEST(BadSettings, TooManySamplesForAnInteger)
 {
   const auto spoil = [](Studio& s)
