@@ -40,9 +40,18 @@ TEST(BadSettings, Supersampling)
 
 TEST(BadSettings, FeatureAngle)
 {
-  expectError([](Studio& s) { s.tracer->SetFeatureAngle(notANumber); },
+  const auto spoil = [](Studio& s)
+  {
+    s.tracer->UsePointNormalsOff(); // the angle matters to computed normals
+    s.tracer->SetFeatureAngle(notANumber);
+  };
+  expectError(spoil,
     { "feature angle is not a finite number", "SetFeatureAngle()", "0 to 180 degrees" },
-    [](Studio& s) { s.tracer->SetFeatureAngle(30.0); });
+    [](Studio& s)
+    {
+      s.tracer->UsePointNormalsOn();
+      s.tracer->SetFeatureAngle(30.0);
+    });
 }
 
 TEST(BadSettings, TooManySamplesForAnInteger)
