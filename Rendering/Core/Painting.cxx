@@ -164,7 +164,7 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
     loadTriangles(range, batch);
     if (!range.appearance)
     {
-      loadReflection(range, batch);
+      loadColors(range, batch);
     }
     shadeTriangles(this->Points, this->Light, range, batch, points);
   }
@@ -208,7 +208,7 @@ void Painting::fillBackground(SampleBatch& batch) const
   const int places = batch.pieceCount * SampleBatch::pieceSize;
   for (int place = 0; this->Target.target().hasAlpha && place < places; ++place)
   {
-    batch.colors[3][place] = batch.triangles[batch.run[place]] == noTriangle ? 0.0 : 1.0;
+    batch.colors[3][place] = batch.isHit(place) ? 1.0 : 0.0;
   }
 }
 
@@ -219,33 +219,12 @@ void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch*
     loadTriangles(range, batch);
     computePoints(this->Points, range, batch, *points);
   }
+  loadColors(range, batch);
   for (int place = range.first; place < range.end; ++place)
   {
-    const std::int64_t run = batch.run[place];
-    if (batch.triangles[run] != noTriangle)
+    for (int channel = 0; batch.isHit(place) && channel < 3; ++channel)
     {
-      const Vec3& color = batch.parts[run]->appearance->diffuseColor;
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        batch.colors[channel][place] = color[channel];
-      }
-    }
-  }
-}
-
-void Painting::loadReflection(const RunRange& range, SampleBatch& batch)
-{
-  for (int run = range.firstRun; run < range.endRun; ++run)
-  {
-    if (batch.triangles[run] != noTriangle)
-    {
-      const Vec3 diffuse = batch.parts[run]->appearance->diffuseReflection();
-      const Vec3 ambient = batch.parts[run]->appearance->ambientReflection();
-      for (int channel = 0; channel < 3; ++channel)
-      {
-        batch.reflection[channel][run] = diffuse[channel];
-        batch.reflection[3 + channel][run] = ambient[channel];
-      }
+      batch.colors[channel][place] = batch.diffuse[channel][place];
     }
   }
 }

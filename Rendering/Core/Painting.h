@@ -77,7 +77,6 @@ private:
   void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;
   void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
-  static void loadReflection(const RunRange& range, SampleBatch& batch);
 
   const TrianglePoints& Points;
   const LightModel& Light;

@@ -179,7 +179,7 @@ void PassPainting::store(
       const int first = number * SampleBatch::pieceSize;
       for (int place = first; place < first + piece.width; ++place)
       {
-        const bool isHit = batch.triangles[batch.run[place]] != noTriangle;
+        const bool isHit = batch.isHit(place);
         for (int k = 0; k < pass.components; ++k)
         {
           *to++ =

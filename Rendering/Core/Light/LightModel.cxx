@@ -37,12 +37,12 @@ LightModel::LightModel(const Scene& scene, const Vec3& eye)
 
 Vec3 LightModel::color(const SurfacePoint& point) const
 {
-  if (point.appearance->shading == Shading::Unlit)
+  const Vec3& diffuse = point.color.diffuse;
+  const Vec3& ambient = point.color.ambient;
+  if (point.color.isUnlit)
   {
-    return point.appearance->diffuseColor;
+    return diffuse;
   }
-  const Vec3 diffuse = point.appearance->diffuseReflection();
-  const Vec3 ambient = point.appearance->ambientReflection();
   const double normalSquare = dot(point.normal, point.normal);
   Vec3 sum = this->Ambient == AmbientModel::Scene ? ambient : Vec3(0.0);
   for (const LightSource& source : this->Sources)

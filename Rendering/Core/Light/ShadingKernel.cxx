@@ -20,11 +20,17 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Shades the samples of a range. reflectionOf(runs) returns the reflection of several samples,
+Vector3 loadAt(const double (*rows)[SampleBatch::places], int place)
+{
+  return { hn::LoadU(d, rows[0] + place), hn::LoadU(d, rows[1] + place),
+    hn::LoadU(d, rows[2] + place) };
+}
+
+/// Shades the samples of a range. reflectionAt(place) returns the reflection of several samples,
 /// keep(point, isWanted, place) receives their surface points.
 template <typename Reflecting, typename Keep>
 void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
-  const Reflecting& reflectionOf, const Keep& keep, SampleBatch& batch)
+  const Reflecting& reflectionAt, const Keep& keep, SampleBatch& batch)
 {
   for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
   {
@@ -35,7 +41,7 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
     }
     const VectorSurfacePoint point = points.at(samples.runs, samples.x(), samples.y());
     keep(point, samples.isWanted, place);
-    const Vector3 color = lit(light, reflectionOf(samples.runs), point);
+    const Vector3 color = lit(light, reflectionAt(place), point);
     storeWhere(samples.isWanted, color.x, batch.colors[0] + place);
     storeWhere(samples.isWanted, color.y, batch.colors[1] + place);
     storeWhere(samples.isWanted, color.z, batch.colors[2] + place);
@@ -48,17 +54,17 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
 {
   if (range.appearance)
   {
-    const Reflection reflection{ set(range.appearance->diffuseReflection()),
-      set(range.appearance->ambientReflection()) };
+    const SurfaceColor color = colorOf(*range.appearance);
+    const Reflection reflection{ set(color.diffuse), set(color.ambient) };
     shade(
-      points, light, range, [&](const Runs&) { return reflection; }, keep, batch);
+      points, light, range, [&](int) { return reflection; }, keep, batch);
   }
   else
   {
     shade(
       points, light, range,
-      [&](const Runs& runs) {
-        return Reflection{ runs(batch.reflection), runs(batch.reflection + 3) };
+      [&](int place) {
+        return Reflection{ loadAt(batch.diffuse, place), loadAt(batch.ambient, place) };
       },
       keep, batch);
   }

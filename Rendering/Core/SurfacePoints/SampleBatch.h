@@ -47,11 +47,12 @@ struct SampleBatch
   double isWanted[room] = {};   ///< 1 where the kernel must shade the run, 0 elsewhere
   double points[9][room] = {};  ///< corners ax, ay, az, bx, ... in the world, then in the frame
   double normals[9][room] = {}; ///< at a, b, c, or one of the face
-  double reflection[6][room];   ///< diffuse, ambient; unused if a range has one appearance
 
-  /// Red, green and blue of each sample, and its alpha if the image has one.
-  double colors[4][places] = {};
+  // One value per sample.
+  double diffuse[3][places], ambient[3][places]; ///< SurfaceColor, if not the same in a whole range
+  double colors[4][places] = {}; ///< red, green and blue, and alpha if the image has it
 
+  bool isHit(int place) const { return this->triangles[this->run[place]] != noTriangle; }
   bool isFull() const { return this->pieceCount == mostPieces; }
 
   /// Adds a piece with the triangles that its rays hit. Returns false if they all hit nothing.

@@ -9,7 +9,7 @@
 #ifndef lambent_SurfacePoint_h
 #define lambent_SurfacePoint_h
 
-#include "Surface.h"
+#include "SurfaceColor.h"
 
 namespace lambent
 {
@@ -19,7 +19,7 @@ struct SurfacePoint
   double depth;  ///< along the viewing direction
   Vec3 normal;   ///< of any length, pointing to the side that is lit
   Vec3 weights;  ///< barycentric coordinates: of attributes at the primitive's points
-  const Appearance* appearance;
+  SurfaceColor color;
 };
 }
 

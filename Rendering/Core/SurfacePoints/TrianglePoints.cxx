@@ -13,7 +13,7 @@ SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
   this->Mesh.triangle(number).isHit(x, y, hit);
   return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
     this->normal(*part.surface, number - part.firstTriangle, hit),
-    { hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum }, part.appearance };
+    { hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum }, colorOf(*part.appearance) };
 }
 
 double TrianglePoints::attribute(
