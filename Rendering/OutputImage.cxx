@@ -4,6 +4,7 @@
 
 #include "HugePages.h"
 #include "InputSurfaces.h"
+#include "PassTable.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -48,17 +49,11 @@ struct NamedPass
 std::vector<NamedPass> passesOf(const OutputSettings& settings, const InputSurfaces& surfaces)
 {
   std::vector<NamedPass> passes;
-  const auto add =
-    [&](bool isWanted, const char* name, PassContent content, int components, bool isDouble)
+  for (const PassContent content : settings.contents)
   {
-    if (isWanted)
-    {
-      passes.push_back({ { content, components, isDouble, nullptr, 0 }, name });
-    }
-  };
-  add(settings.depth, "Depth", PassContent::Depth, 1, false);
-  add(settings.normals, "Normals", PassContent::Normal, 3, false);
-  add(settings.positions, "Positions", PassContent::Position, 3, true);
+    const PassEntry& entry = *entryOf(content);
+    passes.push_back({ { content, entry.components, entry.isDouble, nullptr, 0 }, entry.name });
+  }
   for (std::size_t k = 0; k < settings.passArrays.size(); ++k)
   {
     const InputSurfaces::ArrayForm form = surfaces.formOf(k);

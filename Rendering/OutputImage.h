@@ -27,7 +27,7 @@ struct OutputSettings
   int samples = 1;
   bool alpha = false;
   bool ids = false;
-  bool depth = false, normals = false, positions = false;
+  std::vector<PassContent> contents; ///< of passTable
   std::vector<SceneSettings::PassArray> passArrays;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassArrays.h"
 
+#include "PassTable.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -48,7 +50,11 @@ std::string listArrays(const SceneSettings& settings, int association)
 /// Returns the first error in the names or associations with its remedy, or an empty string.
 std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
 {
-  std::set<std::string> taken{ "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" };
+  std::set<std::string> taken{ "Color", "CellIds", "InputIds" };
+  for (const PassEntry& entry : passTable)
+  {
+    taken.insert(entry.name);
+  }
   for (const SceneSettings::PassArray& array : arrays)
   {
     if (array.association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&

@@ -225,9 +225,16 @@ OutputSettings vtkLambentAlgorithm::DescribeOutput() const
   settings.samples = this->Supersampling;
   settings.alpha = this->OutputAlpha != 0;
   settings.ids = this->GenerateIds != 0;
-  settings.depth = this->GenerateDepth != 0;
-  settings.normals = this->GenerateNormals != 0;
-  settings.positions = this->GeneratePositions != 0;
+  const auto add = [&](vtkTypeBool isWanted, lambent::PassContent content)
+  {
+    if (isWanted)
+    {
+      settings.contents.push_back(content);
+    }
+  };
+  add(this->GenerateDepth, lambent::PassContent::Depth);
+  add(this->GenerateNormals, lambent::PassContent::Normal);
+  add(this->GeneratePositions, lambent::PassContent::Position);
   settings.passArrays = this->Internal->PassArrays;
   return settings;
 }

@@ -5,6 +5,7 @@
 #include "FillKernel.h"
 #include "LoadTriangles.h"
 #include "PassStore.h"
+#include "PassTable.h"
 
 #include <algorithm>
 
@@ -37,16 +38,9 @@ void PassPainting::paintNothing(const Window& samples) const
 double PassPainting::value(
   const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const
 {
-  switch (pass.content)
+  if (const PassEntry* const entry = entryOf(pass.content))
   {
-    case PassContent::Depth:
-      return point.depth;
-    case PassContent::Normal:
-      return normalized(point.normal)[k];
-    case PassContent::Position:
-      return (this->Points.mesh().frame().eye + point.position)[k];
-    case PassContent::Attribute:
-      break;
+    return entry->valueAt(point, this->Points.mesh().frame().eye, k);
   }
   return this->Points.attribute(triangle, point.weights, pass.attribute, k);
 }
@@ -142,28 +136,23 @@ void PassPainting::store(const SampleBatch& batch, const PointBatch& points) con
 void PassPainting::store(
   const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const
 {
-  const auto store = [&](const auto& valueOf) { this->store(pass, batch, piece, valueOf); };
-  switch (pass.content)
+  if (const PassEntry* const entry = entryOf(pass.content))
   {
-    case PassContent::Depth:
-      store([&](int place, int) { return points.depth[place]; });
-      break;
-    case PassContent::Normal:
-      store([&](int place, int k) { return points.normal[k][place]; });
-      break;
-    case PassContent::Position:
-      store([&](int place, int k) { return points.position[k][place]; });
-      break;
-    case PassContent::Attribute:
-      store(
-        [&](int place, int k)
-        {
-          const Vec3 weights(
-            points.weights[0][place], points.weights[1][place], points.weights[2][place]);
-          return this->Points.attribute(
-            batch.triangles[batch.run[place]], weights, pass.attribute, k);
-        });
+    const double* values[PassEntry::mostComponents];
+    for (int k = 0; k < entry->components; ++k)
+    {
+      values[k] = entry->valuesIn(points, k);
+    }
+    this->store(pass, batch, piece, [&](int place, int k) { return values[k][place]; });
+    return;
   }
+  this->store(pass, batch, piece,
+    [&](int place, int k)
+    {
+      const Vec3 weights(
+        points.weights[0][place], points.weights[1][place], points.weights[2][place]);
+      return this->Points.attribute(batch.triangles[batch.run[place]], weights, pass.attribute, k);
+    });
 }
 
 /// valueOf(place, component): the value at a sample that hits something.

@@ -55,6 +55,7 @@ PASSES = "Rendering/Core/PassPainting.cxx"
 TILE_TASKS = "Rendering/Core/TileTasks.cxx"
 IMAGE = "Rendering/Core/Film/Image.h"
 FILL_KERNEL = "Rendering/Core/Film/FillKernel.cxx"
+PASS_TABLE = "Rendering/Core/PassTable.h"
 PASS_STORE = "Rendering/Core/Film/PassStore.h"
 ATTRIBUTE = "Filters/Base/AttributeSpan.h"
 SPANS = "Filters/SpansFromVTK.cxx"
@@ -214,7 +215,7 @@ MUTATIONS = [
      "the kernel's colours are divided by alpha"),
     (FILM, "alpha > 0.0 ? channels[channel][k] / alpha : 0.0", "channels[channel][k] / alpha",
      "colours are 0 where alpha is"),
-    (PAINTING, "== noTriangle ? 0.0 : 1.0", "== noTriangle ? 1.0 : 1.0", "samples that hit nothing have alpha 0"),
+    (PAINTING, "batch.isHit(place) ? 1.0 : 0.0", "1.0", "samples that hit nothing have alpha 0"),
     (BYTES, "hn::LoadU(d8, bytes[3] + i)", "hn::LoadU(d8, bytes[2] + i)", "the kernel stores alpha"),
     (BACKGROUND, "? Vec3(0.0)", "? scene.background", "pictures with alpha have no background"),
     (BACKGROUND, "scene.backgroundImage.pixels && !image.hasAlpha", "scene.backgroundImage.pixels",
@@ -248,10 +249,10 @@ MUTATIONS = [
     (PASSES, "row[(begin + i) * n + n / 2]", "row[(begin + i) * n]", "the kernel's middle sample"),
     (PASSES, "xs[i] = samples.xs()[(begin + i) * n + n / 2];", "xs[i] = samples.xs()[(begin + i) * n];",
      "the ray of the kernel's middle sample"),
-    (PASSES, "normalized(point.normal)[k]", "point.normal[k]", "normals have length 1"),
+    (PASS_TABLE, "normalized(point.normal)[k]", "point.normal[k]", "normals have length 1"),
     (POINT_STORE, "hn::Sqrt(dot(point.normal, point.normal))", "hn::Set(d, 1.0)",
      "the kernel's normals have length 1"),
-    (PASSES, "(this->Points.mesh().frame().eye + point.position)[k]", "point.position[k]",
+    (PASS_TABLE, "(eye + point.position)[k]", "point.position[k]",
      "positions are in world coordinates"),
     (POINT_STORE, "store(eye + point.position,", "store(point.position,",
      "the kernel's positions are in world coordinates"),
