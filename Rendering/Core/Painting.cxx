@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Painting.h"
 
-#include "LoadTriangles.h"
+#include "PointKernel.h"
 #include "ShadingKernel.h"
 
 namespace lambent
@@ -154,19 +154,18 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
 {
   this->fillBackground(batch);
   RunRange range;
-  while (range.moveOn(this->Points.mesh().mesh(), batch))
+  while (range.moveOn(this->Points.mesh(), batch))
   {
     if (range.isUnlit)
     {
       this->shadeUnlit(range, batch, points);
       continue;
     }
-    loadTriangles(range, batch);
     if (!range.appearance)
     {
       loadColors(range, batch);
     }
-    shadeTriangles(this->Points, this->Light, range, batch, points);
+    shadeSamples(this->Points, this->Light, range, batch, points);
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
@@ -216,7 +215,6 @@ void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch*
 {
   if (points)
   {
-    loadTriangles(range, batch);
     computePoints(this->Points, range, batch, *points);
   }
   loadColors(range, batch);

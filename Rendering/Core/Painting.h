@@ -17,8 +17,8 @@
 #include "LightModel.h"
 #include "PassPainting.h"
 #include "RunRange.h"
+#include "SurfacePoints.h"
 #include "TileSamples.h"
-#include "TrianglePoints.h"
 
 #include <memory>
 #include <vector>
@@ -38,7 +38,7 @@ struct PaintingMemory
 class Painting
 {
 public:
-  Painting(const TrianglePoints& points, const LightModel& light, const Film& film,
+  Painting(const SurfacePoints& points, const LightModel& light, const Film& film,
     const PassPainting& passes)
     : Points(points)
     , Light(light)
@@ -78,7 +78,7 @@ private:
   void fillBackground(SampleBatch& batch) const;
   void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
 
-  const TrianglePoints& Points;
+  const SurfacePoints& Points;
   const LightModel& Light;
   const Film& Target;
   const PassPainting& Passes;

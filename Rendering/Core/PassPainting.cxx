@@ -3,9 +3,9 @@
 #include "PassPainting.h"
 
 #include "FillKernel.h"
-#include "LoadTriangles.h"
 #include "PassStore.h"
 #include "PassTable.h"
+#include "PointKernel.h"
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ double PassPainting::value(
 {
   if (const PassEntry* const entry = entryOf(pass.content))
   {
-    return entry->valueAt(point, this->Points.mesh().frame().eye, k);
+    return entry->valueAt(point, this->Points.eye(), k);
   }
   return this->Points.attribute(triangle, point.weights, pass.attribute, k);
 }
@@ -112,9 +112,8 @@ void PassPainting::flush(PassMemory& memory) const
 {
   SampleBatch& batch = memory.batch;
   RunRange range;
-  while (range.moveOn(this->Points.mesh().mesh(), batch))
+  while (range.moveOn(this->Points.mesh(), batch))
   {
-    loadTriangles(range, batch);
     computePoints(this->Points, range, batch, memory.points);
   }
   this->store(batch, memory.points);

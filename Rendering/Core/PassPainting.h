@@ -13,11 +13,9 @@
 #define lambent_PassPainting_h
 
 #include "Image.h"
-#include "PointKernel.h"
+#include "PointBatch.h"
+#include "SurfacePoints.h"
 #include "TileSamples.h"
-#include "TrianglePoints.h"
-
-#include <vector>
 
 namespace lambent
 {
@@ -33,7 +31,7 @@ struct PassMemory
 class PassPainting
 {
 public:
-  PassPainting(const TrianglePoints& points, const Image& image)
+  PassPainting(const SurfacePoints& points, const Image& image)
     : Points(points)
     , Target(image)
   {
@@ -60,7 +58,7 @@ private:
   template <typename ValueOf>
   void store(const Pass& pass, const SampleBatch& batch, int piece, const ValueOf& valueOf) const;
 
-  const TrianglePoints& Points;
+  const SurfacePoints& Points;
   const Image& Target;
 };
 }

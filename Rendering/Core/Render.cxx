@@ -210,7 +210,7 @@ private:
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one per worker
   std::vector<const Bins*> FilledBins;
   const Casting<Nearest> Caster;
-  const TrianglePoints Points;
+  const SurfacePoints Points;
   const LightModel Light;
   const Film Target;
   const PassPainting Passes;

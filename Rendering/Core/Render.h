@@ -10,7 +10,7 @@
  * 3. One pass over the triangles drops those between the samples (Binning). Certain hits of small
  *    triangles go into the bins of their tiles (Coverage); other triangles go there whole (Bins).
  * 4. Each tile casts its rays against its triangles (Casting), keeps the nearest hit of each ray
- *    (Nearest), computes its surface point (TrianglePoints) and colour (LightModel), and stores its
+ *    (Nearest), computes its surface point (SurfacePoints) and colour (LightModel), and stores its
  *    pixels (Painting, Film). Only the current tile has depths.
  *
  * If the bins of step 3 exceed their memory, step 4 casts their contents, the tiles keep their

@@ -5,8 +5,8 @@
 #include "LightModel.h"
 #include "RandomScenes.h"
 #include "Render.h"
+#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
-#include "TrianglePoints.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST(BruteForce, TestsEachTriangleAgainstEachRay)
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, random.width, random.height);
     const FrameMesh inFrame(mesh, frame);
-    const TrianglePoints points(inFrame, random.scene.twoSidedLighting);
+    const SurfacePoints points(inFrame, random.scene.twoSidedLighting);
     const LightModel light(random.scene, frame.eye);
     const Picture picture = makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     for (int j = 0; j < random.height; ++j)

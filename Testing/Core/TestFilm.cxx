@@ -6,8 +6,8 @@
 #include "InstructionSets.h"
 #include "LightModel.h"
 #include "RandomNumbers.h"
+#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
-#include "TrianglePoints.h"
 
 using namespace lambent;
 
@@ -32,7 +32,7 @@ struct Sum
 /// Adds up the samples of a pixel, from the triangles of a larger picture with one sample per
 /// pixel.
 Sum addSamples(const RandomScene& larger, const std::vector<std::uint32_t>& triangles, int n,
-  int pixel, const TrianglePoints& points, const LightModel& light, const CameraFrame& frame)
+  int pixel, const SurfacePoints& points, const LightModel& light, const CameraFrame& frame)
 {
   Sum sum;
   const int columns = larger.width / n;
@@ -64,7 +64,7 @@ TEST(Film, StoresTheMeanColourOfTheHitsAndTheirFraction)
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, larger.width, larger.height);
     const FrameMesh inFrame(mesh, frame);
-    const TrianglePoints points(inFrame, random.scene.twoSidedLighting);
+    const SurfacePoints points(inFrame, random.scene.twoSidedLighting);
     const LightModel light(random.scene, frame.eye);
     const FilmPicture floats = makeByBruteForce(random, withAlpha(n, false));
     const FilmPicture bytes = makeByBruteForce(random, withAlpha(n, true));

@@ -138,36 +138,10 @@ struct RowSamples
       this->batch.add({ begin, row, size, this->xs.data() + begin, this->y }, hits);
     }
     std::fill_n(this->batch.colors[0], 3 * SampleBatch::places, untouched);
-    for (int run = 0; run < this->batch.runCount; ++run)
-    {
-      this->load(sheets.scene.surfaces[0], run);
-    }
-  }
-
-  void load(const Surface& surface, int run)
-  {
-    const std::uint32_t triangle = this->batch.triangles[run];
-    if (triangle == noTriangle)
-    {
-      return;
-    }
-    this->batch.isWanted[run] = 1.0;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const std::uint64_t point = surface.corners[3 * triangle + corner];
-      const Vec3 normal = surface.isSmooth() ? surface.pointNormals[point]
-                                             : TrianglePoints::faceNormal(surface, triangle);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->batch.points[3 * corner + axis][run] = surface.points[point][axis];
-        this->batch.normals[3 * corner + axis][run] = normal[axis];
-      }
-    }
   }
 };
 
-void expectColorsOf(
-  const TrianglePoints& points, const LightModel& light, const RowSamples& samples)
+void expectColorsOf(const SurfacePoints& points, const LightModel& light, const RowSamples& samples)
 {
   const SampleBatch& batch = samples.batch;
   for (int place = 0; place < batch.pieceCount * SampleBatch::pieceSize; ++place)
@@ -196,18 +170,16 @@ void compare(unsigned int seed, bool parallel, Shading shading)
   Sheets sheets(seed, parallel, shading);
   sheets.scene.twoSidedLighting = seed % 2 == 0;
   sheets.scene.ambientModel = seed % 3 == 0 ? AmbientModel::Scene : AmbientModel::PerLight;
-  const TrianglePoints points(*sheets.inFrame, sheets.scene.twoSidedLighting);
+  const SurfacePoints points(*sheets.inFrame, sheets.scene.twoSidedLighting);
   const LightModel light(sheets.scene, sheets.frame->eye);
   for (int row = 0; row < height; ++row)
   {
     RowSamples samples(sheets, row);
-    RunRange all;
-    all.endRun = samples.batch.runCount;
-    all.end = samples.batch.pieceCount * SampleBatch::pieceSize;
-    all.isSmooth = sheets.scene.surfaces[0].isSmooth();
-    all.hasGivenNormals = true;
-    all.appearance = &sheets.scene.surfaces[0].appearance;
-    shadeTriangles(points, light, all, samples.batch);
+    RunRange range;
+    while (range.moveOn(points.mesh(), samples.batch))
+    {
+      shadeSamples(points, light, range, samples.batch);
+    }
     expectColorsOf(points, light, samples);
   }
 }

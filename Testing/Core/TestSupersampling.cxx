@@ -8,8 +8,8 @@
 #include "RandomNumbers.h"
 #include "RandomScenes.h"
 #include "Render.h"
+#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
-#include "TrianglePoints.h"
 
 #include <gtest/gtest.h>
 
@@ -102,7 +102,7 @@ TEST(Supersampling, AveragesTheLargerPicture)
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, larger.width, larger.height);
     const FrameMesh inFrame(mesh, frame);
-    const TrianglePoints points(inFrame, random.scene.twoSidedLighting);
+    const SurfacePoints points(inFrame, random.scene.twoSidedLighting);
     const LightModel light(random.scene, frame.eye);
     const Picture picture = makeByBruteForce(random, n);
     for (int pixel = 0; pixel < random.width * random.height; ++pixel)

@@ -9,7 +9,7 @@
 
 #include "VectorLights.h"
 #include "VectorPointBatch.h"
-#include "VectorTrianglePoints.h"
+#include "VectorSurfacePoints.h"
 
 #include "ShadingKernel.h"
 
@@ -28,8 +28,8 @@ Vector3 loadAt(const double (*rows)[SampleBatch::places], int place)
 
 /// Shades the samples of a range. reflectionAt(place) returns the reflection of several samples,
 /// keep(point, isWanted, place) receives their surface points.
-template <typename Reflecting, typename Keep>
-void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
+template <typename Points, typename Reflecting, typename Keep>
+void shade(const Points& points, const LightModel& light, const RunRange& range,
   const Reflecting& reflectionAt, const Keep& keep, SampleBatch& batch)
 {
   for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
@@ -48,9 +48,9 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
   }
 }
 
-template <typename Keep>
-void shade(const VectorTrianglePoints& points, const LightModel& light, const RunRange& range,
-  const Keep& keep, SampleBatch& batch)
+template <typename Points, typename Keep>
+void shade(const Points& points, const LightModel& light, const RunRange& range, const Keep& keep,
+  SampleBatch& batch)
 {
   if (range.appearance)
   {
@@ -70,24 +70,27 @@ void shade(const VectorTrianglePoints& points, const LightModel& light, const Ru
   }
 }
 
-void ShadeTriangles(const TrianglePoints& trianglePoints, const LightModel& light,
-  const RunRange& range, SampleBatch& batch, PointBatch* surfacePoints)
+void ShadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result)
 {
-  const VectorTrianglePoints points(trianglePoints, range, batch);
-  if (surfacePoints)
-  {
-    const Vector3 eye = set(trianglePoints.mesh().frame().eye);
-    shade(
-      points, light, range,
-      [&](const VectorSurfacePoint& point, M isWanted, int place)
-      { store(point, eye, isWanted, *surfacePoints, place); },
-      batch);
-  }
-  else
-  {
-    shade(
-      points, light, range, [](const VectorSurfacePoint&, M, int) {}, batch);
-  }
+  const Vector3 eye = set(points.eye());
+  withPoints(points, range, batch,
+    [&](const auto& vectorPoints)
+    {
+      if (result)
+      {
+        shade(
+          vectorPoints, light, range,
+          [&](const VectorSurfacePoint& point, M isWanted, int place)
+          { store(point, eye, isWanted, *result, place); },
+          batch);
+      }
+      else
+      {
+        shade(
+          vectorPoints, light, range, [](const VectorSurfacePoint&, M, int) {}, batch);
+      }
+    });
 }
 }
 }
@@ -97,12 +100,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(ShadeTriangles);
+HWY_EXPORT(ShadeSamples);
 
-void shadeTriangles(const TrianglePoints& points, const LightModel& light, const RunRange& range,
-  SampleBatch& batch, PointBatch* surfacePoints)
+void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result)
 {
-  HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch, surfacePoints);
+  HWY_DYNAMIC_DISPATCH(ShadeSamples)(points, light, range, batch, result);
 }
 }
 #endif

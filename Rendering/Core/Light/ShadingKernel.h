@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief computes the colours of samples that hit triangles
+ * @brief computes the colours of samples
  *
- * The kernel computes the surface points of several samples at a time (VectorTrianglePoints.h) and
+ * The kernel computes the surface points of several samples at a time (VectorSurfacePoints.h) and
  * lights them (VectorLights.h), keeping them in registers in between.
  */
 #ifndef lambent_ShadingKernel_h
@@ -13,15 +13,17 @@
 #include "LightModel.h"
 #include "PointBatch.h"
 #include "RunRange.h"
-#include "TrianglePoints.h"
+#include "SurfacePoints.h"
 
 namespace lambent
 {
 /// Fills in the colours of the samples whose runs are wanted, and their surface points unless
 /// `surfacePoints` is nullptr. The triangles of all runs of the range must be loaded, and their
 /// reflection, too, unless the range has one appearance.
-void shadeTriangles(const TrianglePoints& points, const LightModel& light, const RunRange& range,
-  SampleBatch& batch, PointBatch* surfacePoints = nullptr);
+/// Computes the colours of the samples in a range, none of which is unlit. Stores their surface
+/// points, too, if there is memory for them.
+void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result = nullptr);
 }
 
 #endif

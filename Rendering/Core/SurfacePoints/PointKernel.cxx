@@ -8,7 +8,7 @@
 #include <hwy/highway.h>
 
 #include "VectorPointBatch.h"
-#include "VectorTrianglePoints.h"
+#include "VectorSurfacePoints.h"
 
 #include "PointKernel.h"
 
@@ -19,20 +19,24 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-void ComputePoints(const TrianglePoints& trianglePoints, const RunRange& range, SampleBatch& batch,
-  PointBatch& result)
+void ComputePoints(
+  const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
 {
-  const VectorTrianglePoints points(trianglePoints, range, batch);
-  const Vector3 eye = set(trianglePoints.mesh().frame().eye);
-  for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
-  {
-    const VectorSamples samples(batch, place);
-    if (samples.isEmpty())
+  const Vector3 eye = set(points.eye());
+  withPoints(points, range, batch,
+    [&](const auto& vectorPoints)
     {
-      continue;
-    }
-    store(points.at(samples.runs, samples.x(), samples.y()), eye, samples.isWanted, result, place);
-  }
+      for (int place = VectorSamples::begin(range); place < range.end;
+           place += static_cast<int>(lanes))
+      {
+        const VectorSamples samples(batch, place);
+        if (!samples.isEmpty())
+        {
+          store(vectorPoints.at(samples.runs, samples.x(), samples.y()), eye, samples.isWanted,
+            result, place);
+        }
+      }
+    });
 }
 }
 }
@@ -45,7 +49,7 @@ namespace lambent
 HWY_EXPORT(ComputePoints);
 
 void computePoints(
-  const TrianglePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
+  const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
 {
   HWY_DYNAMIC_DISPATCH(ComputePoints)(points, range, batch, result);
 }

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief computes the surface points of samples that hit triangles, for passes
+ * @brief computes the surface points of samples, for passes
  */
 #ifndef lambent_PointKernel_h
 #define lambent_PointKernel_h
 
 #include "PointBatch.h"
 #include "RunRange.h"
-#include "TrianglePoints.h"
+#include "SurfacePoints.h"
 
 namespace lambent
 {
 /// Fills in the surface points of the samples of a range. Its triangles must be loaded.
 void computePoints(
-  const TrianglePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result);
+  const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result);
 }
 
 #endif

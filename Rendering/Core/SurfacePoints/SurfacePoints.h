@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the surface points of a scene, whatever kind of primitive a ray hits
+ *
+ * Painting, light and passes ask here and do not know the kinds. Each kind has a class with a
+ * definition for single hits (TrianglePoints.h) and a twin for several hits at a time
+ * (VectorTrianglePoints.h, chosen in VectorSurfacePoints.h).
+ */
+#ifndef lambent_SurfacePoints_h
+#define lambent_SurfacePoints_h
+
+#include "TrianglePoints.h"
+
+namespace lambent
+{
+class SurfacePoints
+{
+public:
+  SurfacePoints(const FrameMesh& mesh, bool isTwoSided)
+    : Triangles(mesh, isTwoSided)
+  {
+  }
+
+  /// The surface point where the ray through (x, y) hits a primitive.
+  SurfacePoint at(std::uint32_t primitive, double x, double y) const
+  {
+    return this->Triangles.at(primitive, x, y);
+  }
+
+  /// A component of an attribute at a surface point with these weights: the value of the cell, or
+  /// that of the points, interpolated. NaN if the surface has no such attribute.
+  double attribute(
+    std::uint32_t primitive, const Vec3& weights, std::size_t attribute, int component) const
+  {
+    return this->Triangles.attribute(primitive, weights, attribute, component);
+  }
+
+  const SceneMesh& mesh() const { return this->Triangles.mesh().mesh(); }
+  const Vec3& eye() const { return this->Triangles.mesh().frame().eye; }
+  const TrianglePoints& triangles() const { return this->Triangles; }
+
+private:
+  const TrianglePoints Triangles;
+};
+}
+
+#endif
