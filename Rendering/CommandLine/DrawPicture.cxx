@@ -64,7 +64,7 @@ void WarnIfNothingIsSeen(
   }
 }
 
-/// The ray tracer's error. Remedies that name methods become ones that name options.
+/// The ray tracer's error, with options instead of methods in its remedy.
 std::string InWordsOfOptions(const std::string& error)
 {
   for (const auto& [method, option] : { std::pair("Call SetImageSize()", "Choose a smaller --size"),
@@ -77,7 +77,7 @@ std::string InWordsOfOptions(const std::string& error)
       return error.substr(0, remedy) + option;
     }
   }
-  return error.empty() ? "the picture came out empty" : error;
+  return error.empty() ? "the picture is empty" : error;
 }
 
 } // namespace

@@ -23,7 +23,7 @@ namespace lambent::command
 namespace
 {
 
-/// A file in memory. libtiff calls these functions, so they must not throw.
+/// A file in memory. libtiff calls these functions, so they must not throw exceptions.
 struct MemoryFile
 {
   std::vector<unsigned char> bytes;
@@ -108,7 +108,7 @@ void SetTags(TIFF* tiff, const Layout& layout)
   TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, layout.rowsPerStrip());
-  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 1.0); // pixels are square, of no unit of length
+  TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 1.0); // pixels are square, without a unit of length
   TIFFSetField(tiff, TIFFTAG_YRESOLUTION, 1.0);
   TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
   if (layout.channels == 4)

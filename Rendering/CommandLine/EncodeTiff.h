@@ -5,9 +5,9 @@
  * @brief encodes an image as an uncompressed TIFF file, with libtiff
  *
  * The pixels are stored unchanged: bytes or 32-bit floats, 1, 3 or 4 channels, the top row first,
- * in strips of about 64 KiB.
- * The fourth of four bytes is straight alpha; the fourth of four floats has no defined meaning.
- * vtkTIFFWriter would declare premultiplied alpha, and does not report write errors.
+ * in strips of about 64 KiB. The fourth of four bytes is straight alpha; the fourth of four floats
+ * has no defined meaning. vtkTIFFWriter would declare premultiplied alpha, and does not report
+ * write errors.
  *
  * Equal images give equal files, in the byte order of the machine.
  *

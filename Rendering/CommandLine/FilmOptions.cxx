@@ -54,7 +54,7 @@ void CheckFilm(const Options& options)
       {
         throw CLI::ValidationError("--pass",
           "'" + pass.text +
-            "' is only a file; say what to store in it, such as depth=" + pass.text);
+            "' is only a file; name the pass to store in it, such as depth=" + pass.text);
       }
       throw CLI::ValidationError("--pass",
         "'" + pass.text + "' needs a file, such as " + pass.text +

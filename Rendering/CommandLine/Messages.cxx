@@ -48,7 +48,7 @@ std::string OneLine(const std::string& message)
     }
   }
   line.erase(line.find_last_not_of(" .") + 1);
-  // vtkExecutive lists its whole request, with addresses: "Algorithm vtkPLYReader(0x55d0c8a3) ...".
+  // vtkExecutive prints its whole request with addresses: "Algorithm vtkPLYReader(0x55d0c8a3) ...".
   const std::string executive = "Algorithm ";
   if (line.compare(0, executive.size(), executive) == 0 &&
     line.find(" returned failure for request") != std::string::npos)

@@ -206,7 +206,7 @@ void CheckFiles(const CLI::App& app, const Options& options)
   }
 }
 
-/// One line, in plain words where CLI11 has none.
+/// Describes an error in one line. Replaces a message of CLI11 that is hard to understand.
 std::string Describe(const CLI::ParseError& error)
 {
   const std::string text = OneLine(error.what());

@@ -90,8 +90,8 @@ Association FindArray(const PassValue& pass, const Meshes& meshes)
   }
   if (!isOfPoints && !isOfCells)
   {
-    throw Failure("--pass " + pass.text + ": no input has such an array; there are: " +
-      ListArrays(meshes) + "; and without an array: depth, normals, positions, ids, input-ids");
+    throw Failure("--pass " + pass.text + ": no input has such an array; the arrays are: " +
+      ListArrays(meshes) + "; other passes are: depth, normals, positions, ids, input-ids");
   }
   return isOfPoints ? Association::Points : Association::Cells;
 }

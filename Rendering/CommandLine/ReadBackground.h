@@ -4,9 +4,10 @@
  * @file
  * @brief reads the image of `--background-image`
  *
- * PNG files are read by vtkLambentPNGReader, VTK's images after a check of their XML, PNM by
- * ReadPnm(), TIFF by libtiff. VTK's readers for JPEG and BMP trust the file, and a TIFF can ask for
- * any amount of memory, so these three are read in a child process (see Isolated.h).
+ * vtkLambentPNGReader reads PNG files, ReadPnm() reads PNM, libtiff reads TIFF, and VTK reads its
+ * own images after a check of their XML. VTK's readers for JPEG and BMP trust the file, and a TIFF
+ * file can request any amount of memory, so these three are read in a child process (see
+ * Isolated.h).
  */
 
 #ifndef ReadBackground_h

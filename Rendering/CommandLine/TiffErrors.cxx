@@ -11,7 +11,7 @@ namespace lambent::command
 namespace
 {
 
-char FirstError[256]; // no exception may pass through libtiff, so nothing is allocated
+char FirstError[256]; // exceptions must not pass through libtiff, so nothing is allocated
 
 void KeepError(const char*, const char* format, va_list values)
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief keeps libtiff from printing, and keeps its first error
+ * @brief prevents libtiff from printing, and stores its first error
  *
- * Sets the handlers of the whole process, because handlers of a single file need libtiff 4.5, and
- * VTK's own copy may be older. So there must be one object at a time.
+ * It sets the handlers of the whole process, because handlers of a single file need libtiff 4.5,
+ * and VTK's copy may be older. Therefore only one object may exist at a time.
  */
 
 #ifndef TiffErrors_h
@@ -24,7 +24,7 @@ public:
   TiffErrors(const TiffErrors&) = delete;
   TiffErrors& operator=(const TiffErrors&) = delete;
 
-  /// The first error since this object was made; empty if there was none.
+  /// The first error since this object was created; empty if there was none.
   const char* First() const;
 
 private:

@@ -78,7 +78,7 @@ public:
     }
   }
 
-  /// Trace the tile whose lower left ray is (i, j).
+  /// Render the tile whose lower left ray is (i, j).
   void render(RTCScene tree, RayGrouping grouping, int i, int j)
   {
     for (int block = 0; block < blocks; ++block)

@@ -32,7 +32,7 @@ def png_of(rows, color_type, depth=8):
 
 
 def tiff(rows, more=(), kind="B", order="<"):
-    """A TIFF of one strip; `more` are tags to add or replace, of one number or several."""
+    """A TIFF with one strip; `more` are tags to add or replace, with one number or several."""
     channels = len(rows[0][0])
     flat = [value for row in rows for pixel in row for value in pixel]
     data = struct.pack(order + "%d%s" % (len(flat), kind), *flat)
@@ -56,7 +56,7 @@ def tiff(rows, more=(), kind="B", order="<"):
 
 
 def tiled(rows):
-    """A TIFF of a tile of 16 x 16 pixels, most of them outside of the picture."""
+    """A TIFF with one tile of 16 x 16 pixels, most of which lie outside the picture."""
     empty = (99,) * len(rows[0][0])
     tile = [row + [empty] * (16 - len(row)) for row in rows] + [[empty] * 16] * (16 - len(rows))
     return tiff(tile, {256: len(rows[0]), 257: len(rows), 322: 16, 323: 16, 324: 8,
@@ -145,8 +145,8 @@ class TestKinds(BackgroundTest):
                     for value, front, behind in zip(pixel, (r, g, b), (32, 64, 96)):
                         self.assertLess(abs(value - (front * a + behind * (255 - a)) / 255), 0.51)
 
-    def test_tiff_of_every_kind(self):
-        """Most of them are kinds that VTK's reader misreads."""
+    def test_all_kinds_of_tiff_files_are_read(self):
+        """VTK's reader misreads most of these."""
         wide = [[tuple(257 * v for v in pixel) for pixel in row] for row in IMAGE]
         floats = [[tuple(v / 255 for v in pixel) for pixel in row] for row in IMAGE]
         planes = [[(row[i][k],) for i in range(4)] for k in range(3) for row in IMAGE]
@@ -172,8 +172,8 @@ class TestKinds(BackgroundTest):
         ink = [[tuple(255 - v for v in pixel) + (0,) for pixel in row] for row in IMAGE]
         self.assertEqual(self.background("cmyk.tif", tiff(ink, {262: 5})), IMAGE)
 
-    def test_alpha_that_is_multiplied(self):
-        """Of 4 x 1 pixels; the last colour exceeds its alpha."""
+    def test_premultiplied_alpha_is_divided_out(self):
+        """The last of 4 x 1 colours exceeds its alpha."""
         seen = self.background("m.tif", tiff([[(0, 0, 0, 0), (51, 0, 25, 51), (204, 102, 0, 204),
                                                (255, 0, 0, 51)]], {338: 1}),
                                "--background", "#204060", size="4x1")
@@ -183,8 +183,8 @@ class TestKinds(BackgroundTest):
             for value, one in zip(pixel, wanted):
                 self.assertLess(abs(value - one), 0.51)
 
-    def test_jpeg(self):
-        """Of this command, so that there is one; JPEG is never exact."""
+    def test_jpeg_files_are_read_approximately(self):
+        """The command writes the JPEG itself. JPEG is never exact."""
         self.succeed("square.obj", "-o", "b.jpg", "--size", "64x48", "--background", "0.2,0.4,0.6",
                      "--camera-position", "0,0,9", "--quiet")
         self.succeed("square.obj", "-o", "b.pnm", "--size", "64x48", "--background", "0.2,0.4,0.6",
@@ -208,8 +208,9 @@ class TestKinds(BackgroundTest):
         self.assertEqual(rows[0], rows[1])
         self.assertEqual([pixel[0] for pixel in rows[0]], [0, 0, 32, 96, 159, 223, 255, 255])
 
-    def test_each_sample_has_a_colour_of_its_own(self):
-        """As README.md says: of the same size it softens edges, of the samples' size it is averaged."""
+    def test_each_sample_has_its_own_colour(self):
+        """As README.md says: an image of the picture's size has softer edges, and one with a pixel per
+        sample is averaged."""
         rows = self.background("b.png", png([[(v,) * 3 for v in (0, 0, 255, 255)]]), "--supersampling",
                                "3", size="4x1")
         self.assertEqual([pixel[0] for pixel in rows[0]], [0, 28, 227, 255])  # (0 + 0 + 1/3) / 3
@@ -243,11 +244,12 @@ class TestRefusing(BackgroundTest):
                 if name != "c.tif" or length < len(content) - 30:  # its last tag values are not needed
                     self.refuse(name, content[:length])
 
-    def test_kinds_that_would_be_read_wrongly(self):
+    def test_files_that_cannot_be_read_correctly_are_refused(self):
         for name, content, words in (
                 ("whole.tif", tiff(GREY, kind="I"), "can not handle images with 32-bit samples"),
                 ("packed.tif", tiff(GREY, {259: 65000}), "libtiff cannot read it: "),
-                ("turned.tif", tiff(IMAGE, {274: 6}), "turned on its side; convert it to .png"),
+                ("rotated.tif", tiff(IMAGE, {274: 6}),
+                 "its orientation is rotated by 90 degrees; convert it to .png"),
                 ("none.tif", tiff(IMAGE, {256: 0}), "libtiff cannot read it: "),
                 ("large.tif", b"II+\0" + bytes(20), "libtiff cannot read it: "),
                 ("deep.bmp", bmp(IMAGE, bits=32), "BMP of 32 bits per pixel"),

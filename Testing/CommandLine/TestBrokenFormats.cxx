@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The single-file formats in the folder Formats, cut short and with flipped bits. Most of their
+// The single-file formats in the folder Formats, truncated and with flipped bits. Most of their
 // readers crash on some of these; the command turns that into one line. TestFormats.py reads the
 // whole files, and breaks those that have several parts.
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""EnSight Gold geometry, whole and cut short, as text and as C binary in both byte orders.
+"""EnSight Gold geometry, complete and truncated, as text and as C binary in both byte orders.
 
 VTK's reader does not report a file that ends too early.
 """

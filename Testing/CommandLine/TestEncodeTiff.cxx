@@ -54,13 +54,13 @@ std::unique_ptr<TemporaryFile> Write(vtkImageData* image)
   return file;
 }
 
-/// What vtkTIFFReader reads, the right way up.
+/// Writes an image and reads it by vtkTIFFReader, the right way up.
 vtkSmartPointer<vtkImageData> WriteAndRead(vtkImageData* image)
 {
   const auto file = Write(image);
   vtkNew<vtkTIFFReader> reader;
   reader->SetFileName(file->GetPath().c_str());
-  reader->SetOrientationType(4); // or it would put the top row at the bottom
+  reader->SetOrientationType(4); // otherwise the top row would be at the bottom
   reader->Update();
   return reader->GetOutput();
 }
@@ -95,7 +95,7 @@ TEST(EncodeTiff, VtkReadsTheSameBits)
   }
 }
 
-// vtkTIFFReader inverts alpha, and misreads several floats.
+// Unlike ReadTiff(), vtkTIFFReader inverts alpha and misreads several floats.
 TEST(EncodeTiff, OurReaderReadsTheSameBits)
 {
   for (const int type : { VTK_UNSIGNED_CHAR, VTK_FLOAT })
@@ -117,7 +117,7 @@ TEST(EncodeTiff, RefusesOtherNumbersOfChannels)
   }
 }
 
-TEST(EncodeTiff, MoreThanOffsetsCanReachIsRefused)
+TEST(EncodeTiff, RefusesImagesBeyond32BitOffsets)
 {
   const auto image = MakeImage(1, 1, VTK_UNSIGNED_CHAR, 3);
   image->SetDimensions(40000, 40000, 1); // 4.8e9 bytes, if there were pixels
@@ -133,7 +133,7 @@ TEST(EncodeTiff, MoreThanOffsetsCanReachIsRefused)
   }
 }
 
-// 4096 rows of 16 bytes fill a strip of 64 KiB.
+// 4096 rows of 16 bytes fill one strip of 64 KiB.
 TEST(EncodeTiff, PixelsFollowTheHeader)
 {
   for (const int height : { 1, 2, 4096, 4097 })
@@ -148,7 +148,7 @@ TEST(EncodeTiff, PixelsFollowTheHeader)
   }
 }
 
-// The handlers are global, and VTK's reader sets them as well.
+// The handlers are global, and VTK's reader also sets them.
 TEST(TiffErrors, HandlersAreRestored)
 {
   const TIFFErrorHandler handler = [](const char*, const char*, va_list) {};

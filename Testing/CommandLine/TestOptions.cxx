@@ -112,13 +112,13 @@ TEST(Options, WrongUsageIsOneLineAndAHint)
     "Try 'lambent --help'.\n");
 }
 
-TEST(Options, OneFileTwiceIsSaidPlainly)
+TEST(Options, RepeatedOptionsAreReportedClearly)
 {
   EXPECT_EQ(Parse({ "a.ply", "-o", "x.png", "-o", "y.png", "-o", "z.png" }).standardError,
     "lambent: --output is given 3 times; give it once\nTry 'lambent --help'.\n");
 }
 
-TEST(Messages, RequestsOfThePipelineAreLeftOut)
+TEST(Messages, PipelineRequestsAreOmitted)
 {
   for (const std::string& address : { "(0x55d0c8a3)", " (0x55d0c8a3)" })
   {

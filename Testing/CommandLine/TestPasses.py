@@ -141,12 +141,12 @@ class TestInputs(PassTest):
 
     def test_missing_arrays_are_errors_that_list_the_arrays(self):
         for word in ("none", "cell:plane", "point:region", "Plane"):
-            self.assertIn("--pass %s: no input has such an array; there are: point:both, "
+            self.assertIn("--pass %s: no input has such an array; the arrays are: point:both, "
                           "point:doubles, point:plane, cell:both, cell:four, cell:huge, cell:large, "
                           "cell:pair, cell:region" % word,
                           self.refuse(1, "-o", "y.png", "--pass", word + "=b.tif"))
         self.write("bare.vtp", vtp(SQUARE))
-        self.assertIn("there are: none; and without an array: depth, normals, positions, ids, input-ids",
+        self.assertIn("the arrays are: none; other passes are: depth, normals, positions, ids, input-ids",
                       self.fail_with(1, "bare.vtp", "-o", "y.png", "--pass", "plane=b.tif"))
 
     def test_inputs_without_the_array_are_nan(self):
@@ -192,7 +192,7 @@ class TestRefusing(PassTest):
     def test_invalid_passes_are_refused(self):
         for value, words in (
                 ("depth", "needs a file, such as depth=FILE.tif"), ("", "needs a name"),
-                ("d.tif", "'d.tif' is only a file; say what to store in it, such as depth=d.tif"),
+                ("d.tif", "'d.tif' is only a file; name the pass to store in it, such as depth=d.tif"),
                 ("=x.tif", "needs a name"), ("point:=x.tif", "needs a name"),
                 ("depth=", "does not end in .tif, .tiff or .vti"), ("depth=x.png", "'x.png' does not"),
                 ("depth=-", "'-' does not end in"),

@@ -112,7 +112,7 @@ class TestCamera(CommandTest):
         self.assertIn("cannot render: ", line)
         self.assertIn("parallel to its view direction. Choose another --view-up", line)
 
-    def test_an_eye_that_is_too_far_away(self):
+    def test_a_camera_that_is_too_far_away_is_refused(self):
         line = self.fail_with(1, "mesh.obj", "-o", "x.png", "--camera-position", "0,0,1e300")
         self.assertIn("coincide. Move --camera-position or --focal-point", line)
 

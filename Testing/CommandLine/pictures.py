@@ -89,7 +89,7 @@ def read_tiff(content):
     row = one[WIDTH] * channels * one[BITS] // 8
     left = [min(one[ROWS], one[HEIGHT] - k) * row for k in range(0, one[HEIGHT], one[ROWS])]
     assert list(tags[SIZES]) == left
-    data, end = b"", 8  # the strips follow the header and one another
+    data, end = b"", 8  # the strips follow the header without gaps
     for start, size in zip(tags[STRIPS], tags[SIZES]):
         assert start == end
         data += content[start:start + size]

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The command's own readers, for PLY, STL, OBJ and PNM, and TIFF images through libtiff: the result
-// is a Failure, or a valid mesh or image. Its check of BMP images throws a Failure or accepts the
+// The command's own readers, for PLY, STL, OBJ and PNM, and for TIFF with libtiff: the result is a
+// Failure, or a valid mesh or image. Its check of BMP images either throws a Failure or accepts the
 // file.
 #include "FuzzInput.h"
 #include "NamelessFile.h"
@@ -94,7 +94,7 @@ void checkPnm(vtkImageData* image)
   require(range[0] >= 0, "no pixel is below black");
 }
 
-/// Whether libtiff allocates little for the file. The command limits the memory of a child process.
+/// Whether libtiff needs little memory for the file. The command limits that of its child process.
 bool isSmall(const std::string& path)
 {
   const TiffErrors errors;

@@ -258,7 +258,7 @@ MUTATIONS = [
      "the kernel's positions are in world coordinates"),
     (POINT_STORE, "storeWhere(isWanted, v.y, rows[1] + place);", "hn::StoreU(v.y, d, rows[1] + place);",
      "points of other ranges are not overwritten"),
-    (PASSES, "{ fillWithNaN(to, width * pass.components); }", "{ static_cast<void>(to); }",
+    (PASSES, "[&](auto* to) { fillWithNaN(to, width * pass.components); }", "[](auto*) {}",
      "tiles without triangles are NaN"),
     (PASSES, "this->storeNothing(piece.i, piece.j, count);", "", "pieces without hits are NaN"),
     (PASS_STORE, "std::isnan(value) ? std::numeric_limits<Value>::quiet_NaN() : static_cast<Value>(value)",
@@ -369,4 +369,14 @@ MUTATIONS = [
     (ANGLES, "if (x <= tangentOfEighth * y)", "if (false)", "angles near 90 degrees"),
     (ANGLES, "const double largest = piHigh - (first + second);",
      "const double largest = piHigh - first;", "the angles of a triangle add up to 180 degrees"),
+
+    # Bands of the picture, and windows of background.
+    (IMAGE, "result.bytes += this->bytes ? before * this->channels() : 0;", "", "a band has its own bytes"),
+    (IMAGE, "result.triangles += this->triangles ? before : 0;", "", "a band has its own ids"),
+    (IMAGE, "before * pass.components * size", "before * size", "a band has its own passes"),
+    (TILE_TASKS, "background.i1 = tile.i1;", "", "a window of background includes its last tile"),
+    (TILE_TASKS, "tile.i0 == background.i1 && tile.j0", "tile.j0",
+     "a window of background contains no other tiles"),
+    (TILE_TASKS, "this->Caster.merge(hits, *kept);", "", "a tile keeps the hits of all rounds"),
+    (FILL_KERNEL, "std::numeric_limits<Value>::quiet_NaN()", "Value(0)", "passes without a hit are NaN"),
 ]

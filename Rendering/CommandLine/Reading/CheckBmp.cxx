@@ -15,12 +15,12 @@ namespace
 
 const char* const Remedy = "; convert it to .png";
 
-/// The number of `size` bytes at a place, the lowest byte first.
+/// Reads a little-endian number of `size` bytes at an offset.
 std::uint32_t NumberAt(const FileBytes& bytes, std::size_t place, std::size_t size)
 {
   if (bytes.size() < place + size)
   {
-    throw Failure("it is cut short; check that it is complete");
+    throw Failure("it is incomplete; use a complete copy");
   }
   std::uint32_t number = 0;
   for (std::size_t k = size; k-- > 0;)
@@ -40,7 +40,7 @@ void CheckBmp(const std::string& path)
   if (bytes.view().substr(0, 2) != "BM" || number(14, 4) != 40)
   {
     throw Failure(
-      "it is not a BMP file, or one of a version that VTK does not read" + std::string(Remedy));
+      "it is not a BMP file, or of a version that VTK does not read" + std::string(Remedy));
   }
   const std::uint32_t bits = number(28, 2);
   if ((bits != 8 && bits != 24) || number(30, 4) != 0)
@@ -56,7 +56,7 @@ void CheckBmp(const std::string& path)
   if (width < 1 || height < 1 ||
     row * height > static_cast<std::int64_t>(bytes.size()) - number(10, 4))
   {
-    throw Failure("it is cut short; check that it is complete");
+    throw Failure("it is incomplete; use a complete copy");
   }
 }
 

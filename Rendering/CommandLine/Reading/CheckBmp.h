@@ -4,7 +4,7 @@
  * @file
  * @brief refuses BMP files that vtkBMPReader would read wrongly
  *
- * The reader ignores compression and rows that are missing.
+ * The reader ignores compression and missing rows.
  */
 
 #ifndef CheckBmp_h
@@ -15,7 +15,7 @@
 namespace lambent::command
 {
 
-/// Throws Failure unless the file has 8 or 24 bits per pixel, no compression and all of its rows.
+/// Throws Failure unless the file has 8 or 24 bits per pixel, no compression and all its rows.
 void CheckBmp(const std::string& path);
 
 } // namespace lambent::command

@@ -63,7 +63,8 @@ bool CopyRows(TIFF* tiff, vtkImageData* image)
   return row > top;
 }
 
-/// libtiff multiplies alpha into the colours, so this divides by it.
+/// Lets libtiff convert the image to RGBA. It multiplies the colours by alpha, so this divides
+/// them.
 bool ConvertRows(TIFF* tiff, vtkImageData* image)
 {
   const auto width = static_cast<std::uint32_t>(image->GetDimensions()[0]),
@@ -93,11 +94,11 @@ vtkSmartPointer<vtkImageData> ReadImage(TIFF* tiff)
   constexpr std::uint32_t most = std::numeric_limits<int>::max();
   if (width - 1 >= most || height - 1 >= most)
   {
-    throw Failure("its size is not valid; correct it");
+    throw Failure("its size is invalid; correct it");
   }
   if (Tag(tiff, TIFFTAG_ORIENTATION) > ORIENTATION_BOTLEFT)
   {
-    throw Failure("it is turned on its side; convert it to .png");
+    throw Failure("its orientation is rotated by 90 degrees; convert it to .png");
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(static_cast<int>(width), static_cast<int>(height), 1);
