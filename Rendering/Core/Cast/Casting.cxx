@@ -56,25 +56,27 @@ void Casting<Policy>::castPlainly(
     const Window box = this->boxIn(tile.samples, level, entry);
     if (!box.empty())
     {
-      this->test(this->Mesh.triangle(entry.triangle), entry.triangle, box, tile);
+      this->Mesh.visit(entry.triangle,
+        [&](const auto& primitive) { this->test(primitive, entry.triangle, box, tile); });
     }
   }
 }
 
 template <typename Policy>
+template <typename Primitive>
 void Casting<Policy>::test(
-  const FrameTriangle& t, std::uint32_t number, const Window& box, TileHits<Policy>& tile) const
+  const Primitive& primitive, std::uint32_t number, const Window& box, TileHits<Policy>& tile) const
 {
   const TileSamples& samples = tile.samples;
   for (int j = box.j0; j < box.j1; ++j)
   {
     for (int i = box.i0; i < box.i1; ++i)
     {
-      Hit hit;
-      if (t.isHit(samples.xs()[i], samples.ys()[j], hit))
+      double depth;
+      if (primitive.isHit(samples.xs()[i], samples.ys()[j], depth))
       {
         tile.hits.offer(static_cast<std::size_t>(j) * samples.stride() + i, number, anyNearness,
-          hit.depth, depthIn(this->Mesh, samples));
+          depth, depthIn(this->Mesh, samples));
       }
     }
   }

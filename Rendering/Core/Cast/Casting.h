@@ -4,8 +4,8 @@
  * @file
  * @brief casts the rays of a tile's samples against the triangles in its bins
  *
- * castPlainly() is the definition: it transforms each triangle into the camera's frame and tests it
- * with intersect() against the rays of its box. cast() collects triangles for the kernel of
+ * castPlainly() is the definition: it transforms each primitive into the camera's frame and tests
+ * it exactly against the rays of its box. cast() collects triangles for the kernel of
  * CastingKernel.h, which gives the same bits:
  *
  * 1. Collect the triangles of the tile's bins, without reading their points.
@@ -85,7 +85,8 @@ private:
 
   Window boxIn(
     const TileSamples& samples, const TileGrid::Level& level, const BinEntry& entry) const;
-  void test(const FrameTriangle& triangle, std::uint32_t number, const Window& box,
+  template <typename Primitive>
+  void test(const Primitive& primitive, std::uint32_t number, const Window& box,
     TileHits<Policy>& tile) const;
 
   const FrameMesh& Mesh;

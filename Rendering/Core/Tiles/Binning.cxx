@@ -65,7 +65,7 @@ void loadCorners(
 
 void Binning::run(std::size_t begin, std::size_t end, BinningMemory& memory) const
 {
-  this->Mesh.mesh().forTriangles(begin, end,
+  this->Mesh.mesh().forPrimitives(begin, end,
     [&](const SceneMesh::Part& part, std::size_t partBegin, std::size_t partEnd)
     {
       while (partBegin < partEnd)
