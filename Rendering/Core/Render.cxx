@@ -54,7 +54,7 @@ public:
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
       this->Filled.push_back(std::make_unique<BinningMemory>(this->Grid));
-      this->FilledBins.push_back(&this->Filled.back()->bins);
+      this->FilledBins.push_back(&this->Filled.back()->result.bins);
     }
   }
 
@@ -137,7 +137,7 @@ private:
     std::size_t pages = 0;
     for (const auto& memory : this->Filled)
     {
-      memory->bins.clear();
+      memory->result.bins.clear();
     }
     while (next < count && pages < this->How.binPages)
     {
@@ -152,7 +152,7 @@ private:
         [this](int, std::size_t k) { this->Binner.flush(*this->Filled[k]); });
       for (const auto& memory : this->Filled)
       {
-        pages += memory->bins.pageCount();
+        pages += memory->result.bins.pageCount();
       }
       this->BinningPace.adjust(clock.elapsed());
       if (!this->goOn(pointsShare + binningShare * next / count))
@@ -190,7 +190,7 @@ private:
     MeshDefects all;
     for (const auto& memory : this->Filled)
     {
-      all.merge(memory->defects);
+      all.merge(memory->result.defects);
     }
     return all;
   }

@@ -122,7 +122,7 @@ void TileTasks::cast(
   forBins(this->Grid, bins, task.tile,
     [&](const Bins& all, const TileGrid::Level& level, int bin)
     {
-      all.triangles().forPages(bin,
+      all.primitives().forPages(bin,
         [&](const BinEntry* entries, int count)
         {
           if (isMine())

@@ -56,8 +56,8 @@ void Casting<Policy>::castPlainly(
     const Window box = this->boxIn(tile.samples, level, entry);
     if (!box.empty())
     {
-      this->Mesh.visit(entry.triangle,
-        [&](const auto& primitive) { this->test(primitive, entry.triangle, box, tile); });
+      this->Mesh.visit(entry.primitive,
+        [&](const auto& primitive) { this->test(primitive, entry.primitive, box, tile); });
     }
   }
 }
@@ -100,7 +100,7 @@ void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::L
     {
       continue;
     }
-    batch.waiting[batch.waitingCount++] = { entry.triangle, entry.nearest, box };
+    batch.waiting[batch.waitingCount++] = { entry.primitive, entry.nearest, box };
     batch.waitingArea += static_cast<std::int64_t>(box.width()) * box.height();
     if (batch.waitingCount == CastBatch::mostWaiting)
     {
@@ -220,7 +220,7 @@ void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>&
   for (int k = 0; k < count; ++k)
   {
     tile.hits.offer(
-      hits[k].sample, hits[k].triangle, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+      hits[k].sample, hits[k].primitive, hits[k].nearness, depthIn(this->Mesh, tile.samples));
   }
 }
 
