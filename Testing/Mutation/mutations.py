@@ -142,9 +142,9 @@ MUTATIONS = [
     (EXACT, "hn::And(hit, hn::Le(result.sum, hn::Zero(d)))",
      "hn::And(hit, hn::Ge(result.sum, hn::Zero(d)))",
      "the kernel culls the right side"),
-    (NEAREST, "depth == nearest && triangle < this->Triangles[sample]",
-     "depth == nearest && triangle > this->Triangles[sample]",
-     "at equal depth the first triangle wins"),
+    (NEAREST, "depth == nearest && primitive < this->Primitives[sample]",
+     "depth == nearest && primitive > this->Primitives[sample]",
+     "at equal depth the first primitive wins"),
     # The light model.
     (LIGHT, "light.positional && light.coneAngle < 90.0", "light.positional",
      "cones of 90 degrees or more are ignored"),
