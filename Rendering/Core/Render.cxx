@@ -14,7 +14,7 @@ namespace
 constexpr double pointsShare = 0.1;
 constexpr double binningShare = 0.3;
 
-/// The largest number of points or triangles processed between two progress reports.
+/// The largest number of points or primitives processed between two progress reports.
 constexpr std::size_t mostItems = 1024 * 1024;
 
 /// Tiles hold whole pixels.
@@ -54,7 +54,7 @@ public:
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
       this->Filled.push_back(std::make_unique<BinningMemory>(this->Grid));
-      this->FilledBins.push_back(&this->Filled.back()->bins);
+      this->FilledBins.push_back(&this->Filled.back()->result.bins);
     }
   }
 
@@ -64,7 +64,7 @@ public:
     bool goesOn = this->locatePoints();
     for (std::size_t next = 0; goesOn && !this->IsComplete;)
     {
-      goesOn = this->binTriangles(next);
+      goesOn = this->binPrimitives(next);
       report.defects = this->defects();
       if (report.defects.wrongCorner != noTriangle)
       {
@@ -129,15 +129,15 @@ private:
     gathered.flush();
   }
 
-  /// Bins triangles from next on until none are left or the bins are full. Then next is the first
-  /// triangle that is left.
-  bool binTriangles(std::size_t& next)
+  /// Bins primitives from next on until none are left or the bins are full. Then next is the first
+  /// primitive that is left.
+  bool binPrimitives(std::size_t& next)
   {
-    const std::size_t count = this->Mesh.triangleCount();
+    const std::size_t count = this->Mesh.primitiveCount();
     std::size_t pages = 0;
     for (const auto& memory : this->Filled)
     {
-      memory->bins.clear();
+      memory->result.bins.clear();
     }
     while (next < count && pages < this->How.binPages)
     {
@@ -152,7 +152,7 @@ private:
         [this](int, std::size_t k) { this->Binner.flush(*this->Filled[k]); });
       for (const auto& memory : this->Filled)
       {
-        pages += memory->bins.pageCount();
+        pages += memory->result.bins.pageCount();
       }
       this->BinningPace.adjust(clock.elapsed());
       if (!this->goOn(pointsShare + binningShare * next / count))
@@ -163,10 +163,10 @@ private:
     return true;
   }
 
-  /// The triangles from next on are left for further rounds.
+  /// The primitives from next on are left for further rounds.
   bool processTiles(std::size_t next)
   {
-    const std::size_t count = this->Mesh.triangleCount();
+    const std::size_t count = this->Mesh.primitiveCount();
     const bool isLastRound = next == count;
     this->Work.plan(this->FilledBins);
     const std::size_t batches = this->Work.batchCount();
@@ -190,7 +190,7 @@ private:
     MeshDefects all;
     for (const auto& memory : this->Filled)
     {
-      all.merge(memory->defects);
+      all.merge(memory->result.defects);
     }
     return all;
   }

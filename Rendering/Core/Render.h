@@ -7,9 +7,9 @@
  * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are grouped into tiles
  *    (TileGrid).
  * 2. One pass over the points computes where each falls between the samples (PointLattice).
- * 3. One pass over the triangles drops those between the samples (Binning). Certain hits of small
- *    triangles go into the bins of their tiles (Coverage); other triangles go there whole (Bins).
- * 4. Each tile casts its rays against its triangles (Casting), keeps the nearest hit of each ray
+ * 3. One pass over the primitives drops those between the samples (Binning). Certain hits of small
+ *    triangles go into the bins of their tiles (Coverage); other primitives go there whole (Bins).
+ * 4. Each tile casts its rays against its primitives (Casting), keeps the nearest hit of each ray
  *    (Nearest), computes its surface point (SurfacePoints) and colour (LightModel), and stores its
  *    pixels (Painting, Film). Only the current tile has depths.
  *
@@ -20,7 +20,7 @@
  * rendered in bands, one at a time.
  *
  * Besides scene and image, this takes 4 bytes per point, and 16 bytes per hit or up to 48 bytes per
- * larger triangle, in about Settings::binPages pages at most.
+ * larger primitive, in about Settings::binPages pages at most.
  */
 #ifndef lambent_Render_h
 #define lambent_Render_h
@@ -39,7 +39,7 @@ namespace lambent
 struct Settings
 {
   int tileShift = 5;        ///< tiles are 2^tileShift samples wide, adjusted to whole pixels
-  std::size_t chunk = 4096; ///< points or triangles that a worker takes at a time
+  std::size_t chunk = 4096; ///< points or primitives that a worker takes at a time
   std::size_t binPages = 128 * 1024; ///< pages of 1 kB to fill before tiles are processed
   /// A picture with several samples per pixel is rendered in bands of rows that have at most so
   /// many samples, but at least one row.
@@ -48,7 +48,7 @@ struct Settings
   /// Use vectors to locate, cast and shade.
   bool kernels = areVectorsInUse();
 
-  /// Tests every triangle against every ray, one at a time: the definition of the image. The part
+  /// Tests every primitive against every ray, one at a time: the definition of the image. The part
   /// of the image is in samples.
   static Settings bruteForce(const Window& samplePart)
   {
@@ -81,7 +81,7 @@ struct Report
 using Progress = std::function<bool(double)>;
 
 /// The camera must have no defect, the image at least one pixel, and the scene fewer than
-/// noTriangle triangles. Throws std::bad_alloc.
+/// noTriangle primitives. Throws std::bad_alloc.
 Report render(const Scene& scene, const Image& image, const Parallel& parallel = Parallel(),
   const Progress& progress = nullptr, const Settings& settings = Settings());
 }

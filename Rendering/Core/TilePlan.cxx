@@ -30,7 +30,7 @@ std::size_t TilePlan::countPages(const std::vector<const Bins*>& bins, int tile)
   forBins(this->Grid, bins, tile,
     [&](const Bins& all, const TileGrid::Level& level, int bin)
     {
-      count += all.triangles().pageCount(bin);
+      count += all.primitives().pageCount(bin);
       count += this->Grid.isFinest(level) ? all.hits().pageCount(bin) : 0;
     });
   return count;

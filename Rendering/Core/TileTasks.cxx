@@ -122,12 +122,12 @@ void TileTasks::cast(
   forBins(this->Grid, bins, task.tile,
     [&](const Bins& all, const TileGrid::Level& level, int bin)
     {
-      all.triangles().forPages(bin,
+      all.primitives().forPages(bin,
         [&](const BinEntry* entries, int count)
         {
           if (isMine())
           {
-            this->Kernels ? this->Caster.cast(entries, count, level, memory.tile, memory.triangles)
+            this->Kernels ? this->Caster.cast(entries, count, level, memory.tile, memory.casting)
                           : this->Caster.castPlainly(entries, count, level, memory.tile);
           }
         });
@@ -145,14 +145,14 @@ void TileTasks::cast(
     });
   if (this->Kernels)
   {
-    this->Caster.flush(memory.tile, memory.triangles);
+    this->Caster.flush(memory.tile, memory.casting);
   }
 }
 
 void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
 {
-  const std::uint32_t* const triangles = tile.hits.triangles();
-  this->Kernels ? this->Painter.paint(tile.samples, triangles, memory.painting)
-                : this->Painter.paintPlainly(tile.samples, triangles);
+  const std::uint32_t* const primitives = tile.hits.primitives();
+  this->Kernels ? this->Painter.paint(tile.samples, primitives, memory.painting)
+                : this->Painter.paintPlainly(tile.samples, primitives);
 }
 }

@@ -61,7 +61,7 @@ private:
   struct Memory
   {
     TileHits<Nearest> tile;
-    CastBatch triangles;
+    CastingMemory casting;
     PaintingMemory painting;
   };
 

@@ -14,7 +14,7 @@ CAMERA = "Rendering/Core/Frame/CameraFrame.cxx"
 ELEMENTARY = "Filters/Base/Elementary.cxx"
 LATTICE = "Rendering/Core/Tiles/PointLattice.cxx"
 LATTICE_KERNEL = "Rendering/Core/Tiles/LatticeKernel.cxx"
-BINNING = "Rendering/Core/Tiles/Binning.cxx"
+TRIANGLE_BINNING = "Rendering/Core/Tiles/TriangleBinning.cxx"
 COVERAGE = "Rendering/Core/Tiles/CoverageKernel.cxx"
 EDGES = "Rendering/Core/Cast/EdgeFunctions.h"
 SETUP = "Rendering/Core/Cast/CastingSetup.h"
@@ -136,16 +136,16 @@ MUTATIONS = [
      "hn::Sub(middle, reach), hn::Sub(middle, reach)", "extremes of edge functions over a box"),
     (HITS, "hn::Le(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)",
      "hn::Lt(hn::Max(hn::Max(this->e0, this->e1), this->e2), zero)", "the kernel's edges belong to the back"),
-    (BINNING, "const double nearest = std::min(", "const double nearest = std::max(",
+    (TRIANGLE_BINNING, "const double nearest = std::min(", "const double nearest = std::max(",
      "the nearest corner bounds the hits of a triangle"),
     (EXACT, "hn::And(result.isHit(), sheared.spansRay())", "result.isHit()",
      "the kernel's hits lie in the sheared box"),
     (EXACT, "hn::And(hit, hn::Le(result.sum, hn::Zero(d)))",
      "hn::And(hit, hn::Ge(result.sum, hn::Zero(d)))",
      "the kernel culls the right side"),
-    (NEAREST, "depth == nearest && triangle < this->Triangles[sample]",
-     "depth == nearest && triangle > this->Triangles[sample]",
-     "at equal depth the first triangle wins"),
+    (NEAREST, "depth == nearest && primitive < this->Primitives[sample]",
+     "depth == nearest && primitive > this->Primitives[sample]",
+     "at equal depth the first primitive wins"),
     # The light model.
     (LIGHT, "light.positional && light.coneAngle < 90.0", "light.positional",
      "cones of 90 degrees or more are ignored"),
@@ -203,7 +203,7 @@ MUTATIONS = [
      "flat and smooth surfaces are not shaded together"),
     (RUN_RANGE, "this->hasGivenNormals || other.hasGivenNormals", "this->hasGivenNormals",
      "surfaces with cell normals are shaded separately"),
-    ("Rendering/Core/Tiles/Binning.cxx", "+ boxed.begin - boxed.first)", "+ boxed.begin)",
+    (TRIANGLE_BINNING, "+ boxed.begin - boxed.first)", "+ boxed.begin)",
      "triangles of several surfaces keep their numbers"),
     ("Rendering/Core/Tiles/GatheredPoints.h", "|| positions + begin != this->First + this->Count", "",
      "points located together are adjacent"),

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Casting.h"
 
-#include "CastingKernel.h"
-
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 
 namespace lambent
@@ -16,20 +12,10 @@ namespace
 constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
   std::numeric_limits<float>::infinity() };
 
-/// If the boxes of the waiting triangles have more than the area of this many tiles, the nearest
-/// triangles are cast first.
+/// If the boxes of the waiting primitives have more than the area of this many tiles, the nearest
+/// ones are cast first: so many that they fill a batch.
 constexpr std::int64_t manyLayers = 16;
-
-/// Returns a function that computes the depth of a triangle at a sample of a tile.
-auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
-{
-  return [&mesh, &samples](std::uint32_t triangle, std::size_t sample)
-  {
-    double depth;
-    mesh.hits(triangle, samples.x(sample), samples.y(sample), depth);
-    return depth;
-  };
-}
+constexpr int nearestCount = TriangleBatch::capacity;
 }
 
 template <typename Policy>
@@ -56,25 +42,27 @@ void Casting<Policy>::castPlainly(
     const Window box = this->boxIn(tile.samples, level, entry);
     if (!box.empty())
     {
-      this->test(this->Mesh.triangle(entry.triangle), entry.triangle, box, tile);
+      this->Mesh.visit(entry.primitive,
+        [&](const auto& primitive) { this->test(primitive, entry.primitive, box, tile); });
     }
   }
 }
 
 template <typename Policy>
+template <typename Primitive>
 void Casting<Policy>::test(
-  const FrameTriangle& t, std::uint32_t number, const Window& box, TileHits<Policy>& tile) const
+  const Primitive& primitive, std::uint32_t number, const Window& box, TileHits<Policy>& tile) const
 {
   const TileSamples& samples = tile.samples;
   for (int j = box.j0; j < box.j1; ++j)
   {
     for (int i = box.i0; i < box.i1; ++i)
     {
-      Hit hit;
-      if (t.isHit(samples.xs()[i], samples.ys()[j], hit))
+      double depth;
+      if (primitive.isHit(samples.xs()[i], samples.ys()[j], depth))
       {
         tile.hits.offer(static_cast<std::size_t>(j) * samples.stride() + i, number, anyNearness,
-          hit.depth, depthIn(this->Mesh, samples));
+          depth, depthIn(this->Mesh, samples));
       }
     }
   }
@@ -82,134 +70,81 @@ void Casting<Policy>::test(
 
 template <typename Policy>
 void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::Level& level,
-  TileHits<Policy>& tile, CastBatch& batch) const
+  TileHits<Policy>& tile, CastingMemory& memory) const
 {
   const Window& window = tile.samples.window();
   const Window bin = this->Grid.window(level, window.i0, window.j0);
   const int i = bin.i0 - window.i0, j = bin.j0 - window.j0, unit = level.unitShift;
   const int width = window.width(), height = window.height();
+  WaitingPrimitives& waiting = memory.waiting;
   for (int k = 0; k < count; ++k)
   {
     const BinEntry& entry = entries[k];
     const Window box = { std::max(i + (entry.i0 << unit), 0),
       std::min(i + ((entry.i1 + 1) << unit), width), std::max(j + (entry.j0 << unit), 0),
       std::min(j + ((entry.j1 + 1) << unit), height) };
-    if (box.empty() || entry.nearest < batch.least)
+    if (box.empty() || entry.nearest < tile.least)
     {
       continue;
     }
-    batch.waiting[batch.waitingCount++] = { entry.triangle, entry.nearest, box };
-    batch.waitingArea += static_cast<std::int64_t>(box.width()) * box.height();
-    if (batch.waitingCount == CastBatch::mostWaiting)
+    waiting.items[waiting.count++] = { entry.primitive, entry.nearest, box };
+    waiting.area += static_cast<std::int64_t>(box.width()) * box.height();
+    if (waiting.count == WaitingPrimitives::capacity)
     {
-      this->castWaiting(tile, batch);
+      this->castWaiting(tile, memory);
     }
   }
 }
 
-/// Casts all waiting triangles. If they may cover the tile many times, casts the nearest first, so
-/// that triangles behind them can be dropped without reading their points.
+/// Casts all waiting primitives. If they may cover the tile many times, casts the nearest first, so
+/// that those behind them can be dropped without reading their points.
 template <typename Policy>
-void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastBatch& batch) const
+void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastingMemory& memory) const
 {
   const Window& window = tile.samples.window();
+  WaitingPrimitives& waiting = memory.waiting;
   int begin = 0;
-  if (batch.waitingCount > 4 * CastBatch::capacity &&
-    batch.waitingArea > manyLayers * window.width() * window.height())
+  if (waiting.count > 4 * nearestCount &&
+    waiting.area > manyLayers * window.width() * window.height())
   {
-    begin = CastBatch::capacity;
-    std::nth_element(batch.waiting, batch.waiting + begin, batch.waiting + batch.waitingCount,
-      [](const WaitingTriangle& a, const WaitingTriangle& b) { return a.nearest > b.nearest; });
-    this->castWaiting(0, begin, tile, batch);
-    this->castBatch(tile, batch); // also finds batch.least
+    begin = nearestCount;
+    std::nth_element(waiting.items, waiting.items + begin, waiting.items + waiting.count,
+      [](const WaitingPrimitive& a, const WaitingPrimitive& b) { return a.nearest > b.nearest; });
+    this->castWaiting(0, begin, tile, memory);
+    this->Triangles.flush(tile, memory.triangles); // also finds tile.least
   }
-  this->castWaiting(begin, batch.waitingCount, tile, batch);
-  batch.waitingCount = 0;
-  batch.waitingArea = 0;
+  this->castWaiting(begin, waiting.count, tile, memory);
+  waiting.count = 0;
+  waiting.area = 0;
 }
 
-/// Casts some of the waiting triangles. The last of them may remain in the batch.
+/// Casts some of the waiting primitives. The last triangles may remain in their batch.
 template <typename Policy>
 void Casting<Policy>::castWaiting(
-  int begin, int end, TileHits<Policy>& tile, CastBatch& batch) const
+  int begin, int end, TileHits<Policy>& tile, CastingMemory& memory) const
 {
-  constexpr int atOnce = 32;
-  const WaitingTriangle* triangles[atOnce];
-  Candidate candidates[atOnce];
+  NextPrimitive next[TriangleCasting<Policy>::atOnce];
   while (begin < end)
   {
     int count = 0;
-    for (; begin < end && count < atOnce; ++begin)
+    for (; begin < end && count < TriangleCasting<Policy>::atOnce; ++begin)
     {
-      triangles[count] = &batch.waiting[begin];
-      count += !(triangles[count]->nearest < batch.least);
+      next[count].waiting = &memory.waiting.items[begin];
+      count += !(next[count].waiting->nearest < tile.least);
     }
-    this->fetch(triangles, count, candidates);
     for (int k = 0; k < count; ++k)
     {
-      this->add(triangles[k]->number, candidates[k], triangles[k]->box, tile, batch);
+      next[k].part = &this->Mesh.mesh().partOf(next[k].waiting->number);
     }
-  }
-}
-
-// Points are scattered in memory, so many are prefetched before the first is read.
-template <typename Policy>
-void Casting<Policy>::fetch(
-  const WaitingTriangle* const* triangles, int count, Candidate* candidates) const
-{
-  for (int k = 0; k < count; ++k)
-  {
-    const std::uint32_t number = triangles[k]->number;
-    const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
-    candidates[k].part = &part;
-    for (std::size_t corner = 0; corner < 3; ++corner)
-    {
-      candidates[k].corners[corner] = part.corners()[3 * (number - part.firstTriangle) + corner];
-      hwy::Prefetch(part.points().at(candidates[k].corners[corner]));
-    }
+    this->Triangles.cast(next, count, tile, memory.triangles);
   }
 }
 
 template <typename Policy>
-void Casting<Policy>::add(std::uint32_t number, const Candidate& candidate, const Window& box,
-  TileHits<Policy>& tile, CastBatch& batch) const
+void Casting<Policy>::flush(TileHits<Policy>& tile, CastingMemory& memory) const
 {
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    const Vec3 p = candidate.part->points()[candidate.corners[corner]];
-    batch.points[3 * corner][batch.count] = p.x;
-    batch.points[3 * corner + 1][batch.count] = p.y;
-    batch.points[3 * corner + 2][batch.count] = p.z;
-  }
-  batch.triangles[batch.count] = number;
-  batch.boxes[batch.count] = box;
-  batch.cullFront[batch.count] = candidate.part->appearance->cullFront;
-  batch.cullBack[batch.count] = candidate.part->appearance->cullBack;
-  if (++batch.count == CastBatch::capacity)
-  {
-    this->castBatch(tile, batch);
-  }
-}
-
-template <typename Policy>
-void Casting<Policy>::flush(TileHits<Policy>& tile, CastBatch& batch) const
-{
-  this->castWaiting(tile, batch);
-  this->castBatch(tile, batch);
-  batch.least = -std::numeric_limits<float>::infinity();
-}
-
-template <typename Policy>
-void Casting<Policy>::castBatch(TileHits<Policy>& tile, CastBatch& batch) const
-{
-  lambent::castBatch(this->Frame, tile.samples, tile.hits, batch);
-  for (const ExactHit& hit : batch.hits)
-  {
-    tile.hits.offer(hit.sample, hit.triangle, nearnessOf(hit.depth, this->Frame.parallel),
-      hit.depth, depthIn(this->Mesh, tile.samples));
-  }
-  batch.count = 0;
-  batch.hits.clear();
+  this->castWaiting(tile, memory);
+  this->Triangles.flush(tile, memory.triangles);
 }
 
 template <typename Policy>
@@ -218,7 +153,7 @@ void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>&
   for (int k = 0; k < count; ++k)
   {
     tile.hits.offer(
-      hits[k].sample, hits[k].triangle, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+      hits[k].sample, hits[k].primitive, hits[k].nearness, depthIn(this->Mesh, tile.samples));
   }
 }
 

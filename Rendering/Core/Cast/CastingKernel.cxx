@@ -104,13 +104,13 @@ void castExactly(const BoxTriangle& t, const TileSamples& samples, std::vector<E
 }
 
 template <typename VectorPolicy>
-void castTriangles(const CameraFrame& frame, const TileSamples& samples, const VectorPolicy& policy,
-  CastBatch& batch)
+float castTriangles(const CameraFrame& frame, const TileSamples& samples,
+  const VectorPolicy& policy, TriangleBatch& batch)
 {
   const Window& window = samples.window();
   const TilePlane tile(frame, samples);
-  float least = policy.least(samples);
-  batch.least = least;
+  const float leastBefore = policy.least(samples);
+  float least = leastBefore;
   HWY_ALIGN Triangles all;
   for (int k = 0; k < batch.count; k += static_cast<int>(lanes))
   {
@@ -141,12 +141,13 @@ void castTriangles(const CameraFrame& frame, const TileSamples& samples, const V
       }
     }
   }
+  return leastBefore;
 }
 
-void CastNearest(
-  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch)
+float CastNearest(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, TriangleBatch& batch)
 {
-  castTriangles(frame, samples, VectorNearest(nearest), batch);
+  return castTriangles(frame, samples, VectorNearest(nearest), batch);
 }
 }
 }
@@ -158,10 +159,10 @@ namespace lambent
 {
 HWY_EXPORT(CastNearest);
 
-void castBatch(
-  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch)
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, TriangleBatch& batch)
 {
-  HWY_DYNAMIC_DISPATCH(CastNearest)(frame, samples, nearest, batch);
+  return HWY_DYNAMIC_DISPATCH(CastNearest)(frame, samples, nearest, batch);
 }
 }
 #endif

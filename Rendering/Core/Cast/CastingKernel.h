@@ -42,16 +42,17 @@
 #define lambent_CastingKernel_h
 
 #include "CameraFrame.h"
-#include "CastBatch.h"
 #include "Nearest.h"
 #include "TileSamples.h"
+#include "TriangleBatch.h"
 
 namespace lambent
 {
 /// Keeps the certain hits of the batch's triangles, and puts those whose depth must be computed
-/// into batch.hits. There is one overload per policy.
-void castBatch(
-  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, CastBatch& batch);
+/// into batch.hits. Returns a lower bound on the nearness of each sample's hit before that. There
+/// is one overload per policy.
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, TriangleBatch& batch);
 }
 
 #endif

@@ -171,8 +171,8 @@ private:
 };
 
 /// Sets up the triangles [k, k + lanes) of a batch.
-void setUp(
-  const CameraFrame& frame, const TilePlane& tile, const CastBatch& batch, int k, Triangles& out)
+void setUp(const CameraFrame& frame, const TilePlane& tile, const TriangleBatch& batch, int k,
+  Triangles& out)
 {
   const VectorFrame vectorFrame(frame);
   FrameVector corners[3] = {};

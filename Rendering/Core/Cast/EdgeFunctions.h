@@ -14,8 +14,8 @@
 #define lambent_EdgeFunctions_h
 #endif
 
-#include "CastBatch.h"
 #include "TileSamples.h"
+#include "TriangleBatch.h"
 #include "VectorFrame.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -124,7 +124,7 @@ struct Boxes
 {
   V column, row, columns, rows;
 
-  Boxes(const CastBatch& batch, int k)
+  Boxes(const TriangleBatch& batch, int k)
   {
     HWY_ALIGN double ends[4][lanesAtMost];
     for (int lane = 0; lane < static_cast<int>(lanes); ++lane)

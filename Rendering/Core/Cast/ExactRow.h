@@ -13,9 +13,9 @@
 #define lambent_ExactRow_h
 #endif
 
-#include "CastBatch.h"
 #include "CastingSetup.h"
 #include "TileSamples.h"
+#include "TriangleBatch.h"
 #include "VectorHits.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,7 +33,7 @@ struct BoxTriangle
   Window box;
   bool cullFront, cullBack;
 
-  BoxTriangle(const Triangles& all, int lane, const CastBatch& batch, int k)
+  BoxTriangle(const Triangles& all, int lane, const TriangleBatch& batch, int k)
     : a(corner(all, 0, lane))
     , b(corner(all, 4, lane))
     , c(corner(all, 8, lane))

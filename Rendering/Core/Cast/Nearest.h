@@ -5,10 +5,10 @@
  * @brief a casting policy: keeps the nearest hit of each sample
  *
  * Of two hits of a sample, the one with the smaller depth is kept; at equal depths, the one with
- * the smaller triangle number. So the order of the hits does not matter.
+ * the smaller primitive number. So the order of the hits does not matter.
  *
- * A hit has a triangle and a range of nearness. If two ranges do not overlap, they decide which hit
- * is nearer. Otherwise both depths are computed, and that of the nearer hit is stored.
+ * A hit has a primitive and a range of nearness. If two ranges do not overlap, they decide which
+ * hit is nearer. Otherwise both depths are computed, and that of the nearer hit is stored.
  *
  * A policy for Casting provides reset(), offer() for a hit with a range or with a depth, merge(),
  * and a vector class that keeps certain hits (VectorNearest.h).
@@ -34,43 +34,43 @@ public:
   {
     this->Lows.assign(size, noNearness.low);
     this->Highs.assign(size, noNearness.high);
-    this->Triangles.assign(size, noTriangle);
+    this->Primitives.assign(size, noTriangle);
     this->Depths.resize(size); // undefined where nothing is hit
     this->DepthOwners.assign(size, noTriangle);
   }
 
-  /// Ranges of nearness and triangles, by sample.
+  /// Ranges of nearness and primitives, by sample.
   float* lows() { return this->Lows.data(); }
   float* highs() { return this->Highs.data(); }
-  std::uint32_t* triangles() { return this->Triangles.data(); }
+  std::uint32_t* primitives() { return this->Primitives.data(); }
   const float* lows() const { return this->Lows.data(); }
-  const std::uint32_t* triangles() const { return this->Triangles.data(); }
+  const std::uint32_t* primitives() const { return this->Primitives.data(); }
 
-  /// Offers a certain hit. depthOf(triangle, sample) computes a depth if needed.
+  /// Offers a certain hit. depthOf(primitive, sample) computes a depth if needed.
   template <typename DepthOf>
   void offer(
-    std::size_t sample, std::uint32_t triangle, const Nearness& range, const DepthOf& depthOf)
+    std::size_t sample, std::uint32_t primitive, const Nearness& range, const DepthOf& depthOf)
   {
     if (range.low > this->Highs[sample])
     {
-      this->set(sample, triangle, range);
+      this->set(sample, primitive, range);
     }
     else if (!(range.high < this->Lows[sample]))
     {
       this->findDepth(sample, depthOf);
-      this->choose(sample, triangle, range, depthOf(triangle, sample));
+      this->choose(sample, primitive, range, depthOf(primitive, sample));
     }
   }
 
   /// Offers a hit of known depth, with its nearness range.
   template <typename DepthOf>
-  void offer(std::size_t sample, std::uint32_t triangle, const Nearness& range, double depth,
+  void offer(std::size_t sample, std::uint32_t primitive, const Nearness& range, double depth,
     const DepthOf& depthOf)
   {
     if (!(range.high < this->Lows[sample]))
     {
       this->findDepth(sample, depthOf);
-      this->choose(sample, triangle, range, depth);
+      this->choose(sample, primitive, range, depth);
     }
   }
 
@@ -78,37 +78,37 @@ public:
   template <typename DepthOf>
   void merge(const Nearest& other, bool parallel, const DepthOf& depthOf)
   {
-    for (std::size_t sample = 0; sample < this->Triangles.size(); ++sample)
+    for (std::size_t sample = 0; sample < this->Primitives.size(); ++sample)
     {
-      const std::uint32_t triangle = other.Triangles[sample];
-      if (triangle == noTriangle)
+      const std::uint32_t primitive = other.Primitives[sample];
+      if (primitive == noTriangle)
       {
         continue;
       }
       if (other.knowsDepth(sample))
       {
         const double depth = other.Depths[sample];
-        this->offer(sample, triangle, nearnessOf(depth, parallel), depth, depthOf);
+        this->offer(sample, primitive, nearnessOf(depth, parallel), depth, depthOf);
       }
       else
       {
-        this->offer(sample, triangle, { other.Lows[sample], other.Highs[sample] }, depthOf);
+        this->offer(sample, primitive, { other.Lows[sample], other.Highs[sample] }, depthOf);
       }
     }
   }
 
 private:
-  void set(std::size_t sample, std::uint32_t triangle, const Nearness& range)
+  void set(std::size_t sample, std::uint32_t primitive, const Nearness& range)
   {
     this->Lows[sample] = range.low;
     this->Highs[sample] = range.high;
-    this->Triangles[sample] = triangle;
+    this->Primitives[sample] = primitive;
   }
 
   /// Whether the depth of a sample's hit is known. That of no hit is known: infinity.
   bool knowsDepth(std::size_t sample) const
   {
-    return this->DepthOwners[sample] == this->Triangles[sample];
+    return this->DepthOwners[sample] == this->Primitives[sample];
   }
 
   template <typename DepthOf>
@@ -116,29 +116,29 @@ private:
   {
     if (!this->knowsDepth(sample))
     {
-      this->Depths[sample] = depthOf(this->Triangles[sample], sample);
-      this->DepthOwners[sample] = this->Triangles[sample];
+      this->Depths[sample] = depthOf(this->Primitives[sample], sample);
+      this->DepthOwners[sample] = this->Primitives[sample];
     }
   }
 
   /// Keeps the nearer hit by depth. The depth of the sample's hit must be known.
-  void choose(std::size_t sample, std::uint32_t triangle, const Nearness& range, double depth)
+  void choose(std::size_t sample, std::uint32_t primitive, const Nearness& range, double depth)
   {
-    const double nearest = this->Triangles[sample] == noTriangle
+    const double nearest = this->Primitives[sample] == noTriangle
       ? std::numeric_limits<double>::infinity()
       : this->Depths[sample];
-    if (depth < nearest || (depth == nearest && triangle < this->Triangles[sample]))
+    if (depth < nearest || (depth == nearest && primitive < this->Primitives[sample]))
     {
-      this->set(sample, triangle, range);
+      this->set(sample, primitive, range);
       this->Depths[sample] = depth;
-      this->DepthOwners[sample] = triangle;
+      this->DepthOwners[sample] = primitive;
     }
   }
 
   std::vector<float> Lows, Highs;
-  std::vector<std::uint32_t> Triangles;
+  std::vector<std::uint32_t> Primitives;
   std::vector<double> Depths;
-  std::vector<std::uint32_t> DepthOwners; ///< the triangles that Depths belong to
+  std::vector<std::uint32_t> DepthOwners; ///< the primitives that Depths belong to
 };
 }
 

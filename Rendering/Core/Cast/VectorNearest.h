@@ -30,23 +30,23 @@ public:
   explicit VectorNearest(Nearest& nearest)
     : Lows(nearest.lows())
     , Highs(nearest.highs())
-    , Triangles(nearest.triangles())
+    , Primitives(nearest.primitives())
   {
   }
 
   /// Keeps certain hits of the samples from `sample` on, whose nearness lies between `from` and
   /// `to`. Returns those whose order with the stored hits is undecided.
   FloatMask keep(
-    std::size_t sample, FloatMask hit, Floats from, Floats to, std::uint32_t triangle) const
+    std::size_t sample, FloatMask hit, Floats from, Floats to, std::uint32_t primitive) const
   {
     const Floats oldFrom = hn::LoadU(f, this->Lows + sample),
                  oldTo = hn::LoadU(f, this->Highs + sample);
     const FloatMask isNearer = hn::And(hit, hn::Gt(from, oldTo));
     hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), f, this->Lows + sample);
     hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), f, this->Highs + sample);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(u, isNearer), hn::Set(u, triangle),
-                 hn::LoadU(u, this->Triangles + sample)),
-      u, this->Triangles + sample);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(u, isNearer), hn::Set(u, primitive),
+                 hn::LoadU(u, this->Primitives + sample)),
+      u, this->Primitives + sample);
     const FloatMask isFarther = hn::Lt(to, oldFrom);
     return hn::AndNot(hn::Or(isNearer, isFarther), hit);
   }
@@ -73,7 +73,7 @@ public:
 private:
   float* Lows;
   float* Highs;
-  std::uint32_t* Triangles;
+  std::uint32_t* Primitives;
 };
 }
 }

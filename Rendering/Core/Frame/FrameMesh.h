@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the scene's triangles in the camera's frame, and exact hits of single rays
+ * @brief the scene's primitives in the camera's frame, and exact hits of single rays
+ *
+ * Each kind of primitive has a struct with isHit(x, y, depth): whether the ray through (x, y) hits
+ * it, and at which depth. visit() gives the struct of any primitive. The exact path of casting asks
+ * nothing else.
  */
 #ifndef lambent_FrameMesh_h
 #define lambent_FrameMesh_h
@@ -21,6 +25,13 @@ struct FrameTriangle
   bool isHit(double x, double y, Hit& hit) const
   {
     return intersect(this->a, this->b, this->c, x, y, hit) && !this->appearance.isCulled(hit.sum);
+  }
+  bool isHit(double x, double y, double& depth) const
+  {
+    Hit hit{};
+    const bool isHit = this->isHit(x, y, hit);
+    depth = hit.depth;
+    return isHit;
   }
 };
 
@@ -45,13 +56,17 @@ public:
     return { corner(0), corner(1), corner(2), *part.appearance };
   }
 
-  /// Whether the ray through (x, y) hits a triangle, and at which depth.
+  /// Returns body(primitive), where the primitive is a struct of its kind, see above.
+  template <typename Body>
+  auto visit(std::uint32_t number, const Body& body) const
+  {
+    return body(this->triangle(number));
+  }
+
+  /// Whether the ray through (x, y) hits a primitive, and at which depth.
   bool hits(std::uint32_t number, double x, double y, double& depth) const
   {
-    Hit hit{};
-    const bool isHit = this->triangle(number).isHit(x, y, hit);
-    depth = hit.depth;
-    return isHit;
+    return this->visit(number, [&](const auto& primitive) { return primitive.isHit(x, y, depth); });
   }
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the bounding box of a scene's triangles
+ * @brief the bounding box of a scene's primitives
  */
 #ifndef lambent_Bounds_h
 #define lambent_Bounds_h
@@ -33,8 +33,8 @@ struct Bounds
   }
 };
 
-/// The bounds of the corners of all triangles. Ignores points that no triangle uses, corners whose
-/// point does not exist, and points that are not finite.
+/// The bounds of all primitives. Ignores points that no primitive uses, corners whose point does
+/// not exist, and points that are not finite.
 Bounds findBounds(const std::vector<Surface>& surfaces, const Parallel& parallel);
 }
 

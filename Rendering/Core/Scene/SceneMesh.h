@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the surfaces of a scene, with triangles and points numbered consecutively
+ * @brief the surfaces of a scene, with primitives and points numbered consecutively
  *
- * Triangles and points are counted over all surfaces in order. So (input, cell, triangle within the
- * cell) becomes one number. Of two hits at the same depth, the one with the smaller number is kept.
+ * A primitive is what a ray hits as a whole: a triangle. Primitives and points are counted over all
+ * surfaces in order. So (input, cell, primitive within the cell) becomes one number. Of two hits at
+ * the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
 #define lambent_SceneMesh_h
@@ -23,8 +24,8 @@ namespace lambent
 class SceneMesh
 {
 public:
-  /// A surface. All data needed to look up single triangles is in one cache line, since there may
-  /// be as many surfaces as triangles.
+  /// A surface. All data needed to look up single primitives is in one cache line, since there may
+  /// be as many surfaces as primitives.
   struct alignas(64) Part
   {
     const Surface* surface = nullptr;
@@ -32,15 +33,15 @@ public:
     /// enough.
     const Appearance* appearance = nullptr;
     std::size_t firstPoint = 0;
-    std::uint32_t firstTriangle = 0, triangleCount = 0;
+    std::uint32_t firstTriangle = 0, primitiveCount = 0;
 
     Part() = default;
-    Part(const Surface& s, const Appearance& a, std::size_t triangle, std::size_t point)
+    Part(const Surface& s, const Appearance& a, std::size_t primitive, std::size_t point)
       : surface(&s)
       , appearance(&a)
       , firstPoint(point)
-      , firstTriangle(static_cast<std::uint32_t>(triangle))
-      , triangleCount(static_cast<std::uint32_t>(s.triangleCount()))
+      , firstTriangle(static_cast<std::uint32_t>(primitive))
+      , primitiveCount(static_cast<std::uint32_t>(s.primitiveCount()))
       , Points(s.points.data)
       , Corners(s.corners.data)
       , Normals(s.pointNormals.data)
@@ -65,10 +66,10 @@ public:
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
 
-    /// Whether a triangle, counted over all surfaces, belongs to this part.
-    bool holds(std::size_t triangle) const
+    /// Whether a primitive, counted over all surfaces, belongs to this part.
+    bool holds(std::size_t primitive) const
     {
-      return triangle - this->firstTriangle < this->triangleCount;
+      return primitive - this->firstTriangle < this->primitiveCount;
     }
 
   private:
@@ -96,32 +97,32 @@ public:
       const Surface& surface = surfaces[k];
       prefetch(surfaces[std::min(k + 8, surfaces.size() - 1)]);
       appearance = surface.appearance.isSameAs(*appearance) ? appearance : &surface.appearance;
-      this->Parts.emplace_back(surface, *appearance, this->Triangles, this->Points);
-      this->Triangles += this->Parts.back().triangleCount;
+      this->Parts.emplace_back(surface, *appearance, this->Primitives, this->Points);
+      this->Primitives += this->Parts.back().primitiveCount;
       this->Points += surface.points.size;
     }
     this->Parts.emplace_back();
-    this->Parts.back().firstTriangle = static_cast<std::uint32_t>(this->Triangles);
+    this->Parts.back().firstTriangle = static_cast<std::uint32_t>(this->Primitives);
     this->Parts.back().firstPoint = this->Points;
     this->indexParts();
   }
 
-  std::size_t triangleCount() const { return this->Triangles; }
+  std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
 
-  /// The part that holds a triangle.
-  const Part& partOf(std::size_t triangle) const
+  /// The part that holds a primitive.
+  const Part& partOf(std::size_t primitive) const
   {
-    const Part* part = &this->Parts[this->FirstParts[triangle >> this->Shift]];
-    while (!part->holds(triangle))
+    const Part* part = &this->Parts[this->FirstParts[primitive >> this->Shift]];
+    while (!part->holds(primitive))
     {
       ++part;
     }
     return *part;
   }
 
-  /// Prefetches what partOf() reads, for several triangles or noTriangle.
-  void prefetchPartsOf(const std::uint32_t* triangles, int count) const
+  /// Prefetches what partOf() reads, for several primitives or noTriangle.
+  void prefetchPartsOf(const std::uint32_t* primitives, int count) const
   {
     if (this->Parts.size() <= 2)
     {
@@ -129,9 +130,9 @@ public:
     }
     for (int k = 0; k < count; ++k)
     {
-      if (triangles[k] != noTriangle)
+      if (primitives[k] != noTriangle)
       {
-        hwy::Prefetch(&this->Parts[this->FirstParts[triangles[k] >> this->Shift]]);
+        hwy::Prefetch(&this->Parts[this->FirstParts[primitives[k] >> this->Shift]]);
       }
     }
   }
@@ -140,7 +141,7 @@ public:
   /// and calls body(part, begin, end) for each piece. There, begin and end count within the
   /// surface.
   template <typename Body>
-  void forTriangles(std::size_t begin, std::size_t end, Body&& body) const
+  void forPrimitives(std::size_t begin, std::size_t end, Body&& body) const
   {
     this->forPieces(begin, end, &Part::firstTriangle, body);
   }
@@ -160,16 +161,16 @@ private:
     }
   }
 
-  /// Stores the part that holds the first of every 2^Shift triangles. There are about as many
+  /// Stores the part that holds the first of every 2^Shift primitives. There are about as many
   /// entries as parts, so finding a part takes a few steps on average.
   void indexParts()
   {
-    while (this->Triangles >> this->Shift > 2 * this->Parts.size())
+    while (this->Primitives >> this->Shift > 2 * this->Parts.size())
     {
       ++this->Shift;
     }
     std::uint32_t part = 0;
-    for (std::size_t first = 0; first < this->Triangles; first += std::size_t(1) << this->Shift)
+    for (std::size_t first = 0; first < this->Primitives; first += std::size_t(1) << this->Shift)
     {
       while (!this->Parts[part].holds(first))
       {
@@ -199,7 +200,7 @@ private:
   std::vector<Part> Parts; ///< the last one marks the end
   std::vector<std::uint32_t> FirstParts;
   int Shift = 0;
-  std::size_t Triangles = 0;
+  std::size_t Primitives = 0;
   std::size_t Points = 0;
 };
 }

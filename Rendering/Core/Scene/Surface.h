@@ -91,6 +91,23 @@ struct Surface
     return this->normalNumbers.data ? this->normalNumbers : this->corners;
   }
   std::size_t triangleCount() const { return this->corners.size / 3; }
+  /// The number of primitives of the surface, which are triangles.
+  std::size_t primitiveCount() const { return this->triangleCount(); }
+
+  /// Calls body(point) for points whose bounding box is that of the primitives [begin, end): the
+  /// corners of the triangles, except those whose point does not exist.
+  template <typename Body>
+  void forBoundingPoints(std::size_t begin, std::size_t end, Body&& body) const
+  {
+    for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner)
+    {
+      const std::uint64_t id = this->corners[corner];
+      if (id < this->points.size)
+      {
+        body(this->points[id]);
+      }
+    }
+  }
   std::int64_t cellOf(std::size_t triangle) const
   {
     return this->cells ? this->cells[triangle]

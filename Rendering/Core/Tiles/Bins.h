@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief the triangles that each tile must test, and its certain hits
+ * @brief the primitives that each tile must test, and its certain hits
  *
  * Each worker fills its own bins, without a lock. A bin is a list of pages, so that it grows
  * without moving its contents, and an empty bin has no page. The order of the items in a bin is
@@ -25,11 +25,11 @@
 
 namespace lambent
 {
-/// A triangle by its number in the scene, and its box within the tile: the first and last step
+/// A primitive by its number in the scene, and its box within the tile: the first and last step
 /// along each axis, in units of the level.
 struct BinEntry
 {
-  std::uint32_t triangle;
+  std::uint32_t primitive;
   std::uint8_t i0, i1, j0, j1;
   float nearest; ///< no hit is nearer
 };
@@ -37,7 +37,7 @@ struct BinEntry
 /// A certain hit.
 struct Fragment
 {
-  std::uint32_t triangle;
+  std::uint32_t primitive;
   std::uint32_t sample; ///< number within the tile
   Nearness nearness;
 };
@@ -152,7 +152,7 @@ private:
   Page<Item>* End = nullptr;
 };
 
-/// The bins of one worker: triangles for the tiles of all levels, hits for the finest tiles.
+/// The bins of one worker: primitives for the tiles of all levels, hits for the finest tiles.
 class Bins
 {
 public:
@@ -160,25 +160,25 @@ public:
     : Grid(&grid)
     , Finest(grid.levels().front())
     , RowShift(grid.rowShift())
-    , Triangles(grid.totalCount())
+    , Primitives(grid.totalCount())
     , Hits(grid.tileCount())
   {
   }
 
-  const PagedBins<BinEntry>& triangles() const { return this->Triangles; }
+  const PagedBins<BinEntry>& primitives() const { return this->Primitives; }
   const PagedBins<Fragment>& hits() const { return this->Hits; }
-  std::size_t pageCount() const { return this->Triangles.pageCount() + this->Hits.pageCount(); }
+  std::size_t pageCount() const { return this->Primitives.pageCount() + this->Hits.pageCount(); }
 
   void clear()
   {
-    this->Triangles.clear();
+    this->Primitives.clear();
     this->Hits.clear();
   }
 
-  /// Adds a triangle to the tiles that contain samples of its box; `nearest` as in BinEntry. If the
-  /// box is exact, these may be finest tiles, whose boxes are all exact. Otherwise they are tiles
-  /// of a coarser level.
-  void insert(std::uint32_t triangle, const Window& samples, bool isExact, float nearest)
+  /// Adds a primitive to the tiles that contain samples of its box; `nearest` as in BinEntry. If
+  /// the box is exact, these may be finest tiles, whose boxes are all exact. Otherwise they are
+  /// tiles of a coarser level.
+  void insert(std::uint32_t primitive, const Window& samples, bool isExact, float nearest)
   {
     const TileGrid::Level level = this->Grid->levelFor(samples, isExact ? 0 : 1);
     const int firstColumn = level.tileOf(samples.i0), lastColumn = level.tileOf(samples.i1 - 1);
@@ -193,8 +193,8 @@ public:
       for (int column = firstColumn; column <= lastColumn; ++column)
       {
         const int i = column * level.size;
-        this->Triangles.append(level.first + row * level.columns + column,
-          { triangle, step(std::max(samples.i0 - i, 0)),
+        this->Primitives.append(level.first + row * level.columns + column,
+          { primitive, step(std::max(samples.i0 - i, 0)),
             step(std::min(samples.i1 - i, level.size) - 1), j0, j1, nearest });
       }
     }
@@ -204,7 +204,7 @@ public:
   struct SampleHit
   {
     int i, j;
-    std::uint32_t triangle;
+    std::uint32_t primitive;
     Nearness nearness;
   };
 
@@ -221,7 +221,7 @@ public:
         const SampleHit hit = hitOf(k);
         const int sample = ((hit.j & inTile) << shift) + (hit.i & inTile);
         this->Hits.append((hit.j >> shift) * columns + (hit.i >> shift),
-          { hit.triangle, static_cast<std::uint32_t>(sample), hit.nearness });
+          { hit.primitive, static_cast<std::uint32_t>(sample), hit.nearness });
       }
       return;
     }
@@ -232,7 +232,7 @@ public:
       const int sample =
         ((hit.j - level.beginOf(hit.j)) << rowShift) + (hit.i - level.beginOf(hit.i));
       this->Hits.append(level.tileAt(hit.i, hit.j),
-        { hit.triangle, static_cast<std::uint32_t>(sample), hit.nearness });
+        { hit.primitive, static_cast<std::uint32_t>(sample), hit.nearness });
     }
   }
   void insertHit(const SampleHit& hit)
@@ -244,7 +244,7 @@ private:
   const TileGrid* Grid;
   const TileGrid::Level Finest;
   const int RowShift;
-  PagedBins<BinEntry> Triangles;
+  PagedBins<BinEntry> Primitives;
   PagedBins<Fragment> Hits;
 };
 }

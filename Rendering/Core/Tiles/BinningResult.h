@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief the result of a worker's binning: its bins, and the defects of the mesh
+ */
+#ifndef lambent_BinningResult_h
+#define lambent_BinningResult_h
+
+#include "Bins.h"
+#include "Surface.h"
+
+namespace lambent
+{
+/// The defects of a mesh that prevent drawing. Primitives are numbered over all surfaces.
+struct MeshDefects
+{
+  /// The first primitive with a corner whose point does not exist.
+  std::uint32_t wrongCorner = noTriangle;
+  /// The number of cells with a point that is not finite, and the first primitive of such a cell.
+  std::size_t notFinite = 0;
+  std::uint32_t firstNotFinite = noTriangle;
+
+  void merge(const MeshDefects& other)
+  {
+    this->wrongCorner = std::min(this->wrongCorner, other.wrongCorner);
+    this->notFinite += other.notFinite;
+    this->firstNotFinite = std::min(this->firstNotFinite, other.firstNotFinite);
+  }
+};
+
+struct BinningResult
+{
+  explicit BinningResult(const TileGrid& grid)
+    : bins(grid)
+  {
+  }
+
+  Bins bins;
+  MeshDefects defects;
+};
+}
+
+#endif
