@@ -31,7 +31,7 @@ public:
     : Workers(parallel)
     , Tell(progress)
     , How(settings)
-    , Mesh(scene.surfaces)
+    , Mesh(scene.surfaces, parallel)
     , Samples(image.samplePart())
     , Frame(scene.camera, image.width * image.samples, image.height * image.samples)
     , Lattice(this->Frame, this->Samples)

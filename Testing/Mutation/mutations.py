@@ -53,6 +53,7 @@ FILM_COLORS = "Rendering/Core/Film/Film.h"
 POINT_STORE = "Rendering/Core/SurfacePoints/VectorPointBatch.h"
 PASSES = "Rendering/Core/PassPainting.cxx"
 TILE_TASKS = "Rendering/Core/TileTasks.cxx"
+SCENE_MESH = "Rendering/Core/Scene/SceneMesh.cxx"
 IMAGE = "Rendering/Core/Film/Image.h"
 FILL_KERNEL = "Rendering/Core/Film/FillKernel.cxx"
 PASS_TABLE = "Rendering/Core/PassTable.h"
@@ -379,4 +380,7 @@ MUTATIONS = [
      "a window of background contains no other tiles"),
     (TILE_TASKS, "this->Caster.merge(hits, *kept);", "", "a tile keeps the hits of all rounds"),
     (FILL_KERNEL, "std::numeric_limits<Value>::quiet_NaN()", "Value(0)", "passes without a hit are NaN"),
+    (SCENE_MESH, "block.last == block.first ? block.replacement : block.last", "block.last",
+     "blocks of surfaces with one appearance"),
+    (SCENE_MESH, "part.firstPoint += block.points;", "", "points are counted over all surfaces"),
 ]

@@ -11,7 +11,9 @@
 #ifndef lambent_SceneMesh_h
 #define lambent_SceneMesh_h
 
+#include "Parallel.h"
 #include "Scene.h"
+#include "UnwrittenVector.h"
 
 #include <hwy/cache_control.h>
 
@@ -28,12 +30,12 @@ public:
   /// be as many surfaces as primitives.
   struct alignas(64) Part
   {
-    const Surface* surface = nullptr;
+    const Surface* surface;
     /// The appearance of the previous part, if the two are equal. So comparing addresses is usually
     /// enough.
-    const Appearance* appearance = nullptr;
-    std::size_t firstPoint = 0;
-    std::uint32_t firstTriangle = 0, primitiveCount = 0;
+    const Appearance* appearance;
+    std::size_t firstPoint;
+    std::uint32_t firstTriangle, primitiveCount;
 
     Part() = default;
     Part(const Surface& s, const Appearance& a, std::size_t primitive, std::size_t point)
@@ -80,32 +82,15 @@ public:
       CellNormals = 4,
       Culling = 8
     };
-    const void* Points = nullptr;
-    const void* Corners = nullptr;
-    const void* Normals = nullptr;
-    bool HasDoublePoints = false, HasWideCorners = false, HasDoubleNormals = false;
-    unsigned char Flags = 0;
+    const void* Points;
+    const void* Corners;
+    const void* Normals;
+    bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
+    unsigned char Flags;
   };
   static_assert(sizeof(Part) == 64);
 
-  explicit SceneMesh(const std::vector<Surface>& surfaces)
-  {
-    this->Parts.reserve(surfaces.size() + 1);
-    const Appearance* appearance = surfaces.empty() ? nullptr : &surfaces.front().appearance;
-    for (std::size_t k = 0; k < surfaces.size(); ++k)
-    {
-      const Surface& surface = surfaces[k];
-      prefetch(surfaces[std::min(k + 8, surfaces.size() - 1)]);
-      appearance = surface.appearance.isSameAs(*appearance) ? appearance : &surface.appearance;
-      this->Parts.emplace_back(surface, *appearance, this->Primitives, this->Points);
-      this->Primitives += this->Parts.back().primitiveCount;
-      this->Points += surface.points.size;
-    }
-    this->Parts.emplace_back();
-    this->Parts.back().firstTriangle = static_cast<std::uint32_t>(this->Primitives);
-    this->Parts.back().firstPoint = this->Points;
-    this->indexParts();
-  }
+  explicit SceneMesh(const std::vector<Surface>& surfaces, const Parallel& parallel = Parallel());
 
   std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
@@ -152,33 +137,18 @@ public:
   }
 
 private:
-  /// Prefetches a surface, because the processor's own prefetching does not keep up.
-  static void prefetch(const Surface& surface)
+  /// Surfaces that one worker reads.
+  struct Block
   {
-    for (std::size_t byte = 0; byte < sizeof(Surface); byte += 64)
-    {
-      hwy::Prefetch(reinterpret_cast<const char*>(&surface) + byte);
-    }
-  }
-
-  /// Stores the part that holds the first of every 2^Shift primitives. There are about as many
-  /// entries as parts, so finding a part takes a few steps on average.
-  void indexParts()
-  {
-    while (this->Primitives >> this->Shift > 2 * this->Parts.size())
-    {
-      ++this->Shift;
-    }
-    std::uint32_t part = 0;
-    for (std::size_t first = 0; first < this->Primitives; first += std::size_t(1) << this->Shift)
-    {
-      while (!this->Parts[part].holds(first))
-      {
-        ++part;
-      }
-      this->FirstParts.push_back(part);
-    }
-  }
+    std::size_t begin, end;
+    std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
+    const Appearance* first = nullptr;      ///< of the first surface, and those equal to it
+    const Appearance* last = nullptr;
+    const Appearance* replacement = nullptr; ///< of first, in the whole scene
+  };
+  void read(const std::vector<Surface>& surfaces, Block& block);
+  void join(std::vector<Block>& blocks);
+  void number(const Block& block);
 
   template <typename Number, typename Body>
   void forPieces(std::size_t begin, std::size_t end, Number Part::*first, Body&& body) const
@@ -197,8 +167,10 @@ private:
     }
   }
 
-  std::vector<Part> Parts; ///< the last one marks the end
-  std::vector<std::uint32_t> FirstParts;
+  UnwrittenVector<Part> Parts; ///< the last one marks the end
+  /// The part of every 2^Shift-th primitive. There are about as many entries as parts, so finding a
+  /// part takes a few steps on average.
+  UnwrittenVector<std::uint32_t> FirstParts;
   int Shift = 0;
   std::size_t Primitives = 0;
   std::size_t Points = 0;
