@@ -4,8 +4,8 @@
  * @file
  * @brief how the work on the tiles is divided among the workers
  *
- * A tile with few triangles is one task. A tile with many is split into several tasks, each with a
- * share of its triangles, so that a mesh that falls into a single tile keeps all workers busy. A
+ * A tile with few primitives is one task. A tile with many is split into several tasks, each with a
+ * share of its primitives, so that a mesh that falls into a single tile keeps all workers busy. A
  * group of tasks goes to one worker, a batch of groups lies between two looks at the progress.
  */
 #ifndef lambent_TilePlan_h

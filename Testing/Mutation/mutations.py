@@ -147,6 +147,8 @@ MUTATIONS = [
     (NEAREST, "depth == nearest && primitive < this->Primitives[sample]",
      "depth == nearest && primitive > this->Primitives[sample]",
      "at equal depth the first primitive wins"),
+    ("Rendering/Core/Cast/TileHits.h", "this->least = -std::numeric_limits<float>::infinity();", "",
+     "what one tile hides is not hidden in the next"),
     # The light model.
     (LIGHT, "light.positional && light.coneAngle < 90.0", "light.positional",
      "cones of 90 degrees or more are ignored"),

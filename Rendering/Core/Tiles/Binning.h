@@ -40,8 +40,17 @@ public:
   }
 
   /// Bins the primitives [begin, end), counted over all surfaces. Some are held back until flush().
-  void run(std::size_t begin, std::size_t end, BinningMemory& memory) const;
-  void flush(BinningMemory& memory) const;
+  void run(std::size_t begin, std::size_t end, BinningMemory& memory) const
+  {
+    this->Mesh.forPrimitives(begin, end,
+      [&](const SceneMesh::Part& part, std::size_t from, std::size_t to)
+      { this->Triangles.add(part, from, to, memory.triangles, memory.result); });
+    this->Triangles.binBoxes(memory.triangles, memory.result);
+  }
+  void flush(BinningMemory& memory) const
+  {
+    this->Triangles.flush(memory.triangles, memory.result);
+  }
 
 private:
   const SceneMesh& Mesh;

@@ -5,10 +5,10 @@
  * @brief groups the samples of the image into square tiles, on several levels
  *
  * The finest tiles are the units of work: the samples of each are cast and shaded independently. A
- * triangle that spans more than two of them along an axis is stored on a coarser level, whose tiles
- * are eight times as wide, instead of in every fine tile below. So no triangle is stored in more
- * than four places, and one that covers the whole image needs no more memory than a small one. A
- * fine tile reads its own triangles and those of the coarser tiles above it.
+ * primitive that spans more than two of them along an axis is stored on a coarser level, whose
+ * tiles are eight times as wide, instead of in every fine tile below. So no primitive is stored in
+ * more than four places, and one that covers the whole image needs no more memory than a small one.
+ * A fine tile reads its own primitives and those of the coarser tiles above it.
  *
  * A tile holds whole pixels. If its size is a power of two, a shift finds the tile of a sample.
  */
