@@ -66,3 +66,57 @@ TEST(LargeImages, CoarseTilesConsistOfWholeFinerTiles)
     }
   }
 }
+
+TEST(LargeImages, LastTileIsHitOnAllLevels)
+{
+  constexpr int height = 3;
+  const WideScene wide;
+  const SceneMesh mesh(wide.scene.surfaces);
+  const CameraFrame frame(wide.scene.camera, largest, height);
+  const FrameMesh inFrame(mesh, frame);
+  const auto batch = std::make_unique<CastBatch>();
+  for (const int size : { 16, 30, 32, 1023 })
+  {
+    const TileGrid grid(largest, height, size);
+    const Casting<Nearest> casting(inFrame, grid);
+    for (const TileGrid::Level& level : grid.levels())
+    {
+      const auto last = static_cast<std::uint8_t>((level.size - 1) >> level.unitShift);
+      const BinEntry entry{ 0, 0, last, 0, last, std::numeric_limits<float>::infinity() };
+      TileHits<Nearest> tile;
+      tile.reset(frame, grid.whole(), grid, grid.window((largest - 1) / size));
+      const int expected = tile.samples.window().width() * height;
+      casting.castPlainly(&entry, 1, level, tile);
+      EXPECT_EQ(hitsIn(tile), expected) << size << ", level of " << level.size;
+      tile.reset(frame, grid.whole(), grid, grid.window((largest - 1) / size));
+      casting.cast(&entry, 1, level, tile, *batch);
+      casting.flush(tile, *batch);
+      EXPECT_EQ(hitsIn(tile), expected) << size << ", level of " << level.size;
+    }
+  }
+}
+
+TEST(LargeImages, PartsAtTheRightEdgeAreRendered)
+{
+  constexpr int width = 47, height = 3;
+  const WideScene wide;
+  for (const int samples : { 1, 2, 3, 16 })
+  {
+    for (const bool hasKernels : { false, true })
+    {
+      std::vector<float> floats(3 * width * height);
+      std::vector<std::uint32_t> triangles(width * height, noTriangle);
+      Image image;
+      image.width = largest / samples;
+      image.height = height;
+      image.part = { image.width - width, image.width, 0, height };
+      image.samples = samples;
+      image.floats = floats.data();
+      image.triangles = triangles.data();
+      Settings settings;
+      settings.kernels = hasKernels;
+      EXPECT_EQ(render(wide.scene, image, Parallel(), nullptr, settings).outcome, Outcome::Done);
+      EXPECT_EQ(std::count(triangles.begin(), triangles.end(), 0u), width * height);
+    }
+  }
+}

@@ -20,6 +20,14 @@ constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
 /// triangles are cast first.
 constexpr std::int64_t manyLayers = 16;
 
+/// The end of a bin's step, at most `most`, in samples. The bin begins at `begin`, at most 0. The
+/// last sample of a step fits an int, its end may not.
+int endOf(int begin, int step, int unit, int most)
+{
+  const int last = begin + ((step << unit) + ((1 << unit) - 1));
+  return std::min(last, most - 1) + 1;
+}
+
 /// Returns a function that computes the depth of a triangle at a sample of a tile.
 auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
 {
@@ -38,12 +46,10 @@ Window Casting<Policy>::boxIn(
 {
   const Window& tile = samples.window();
   const Window bin = this->Grid.window(level, tile.i0, tile.j0);
-  const int unit = level.unitShift;
-  const Window box =
-    intersection({ bin.i0 + (entry.i0 << unit), bin.i0 + ((entry.i1 + 1) << unit),
-                   bin.j0 + (entry.j0 << unit), bin.j0 + ((entry.j1 + 1) << unit) },
-      tile);
-  return { box.i0 - tile.i0, box.i1 - tile.i0, box.j0 - tile.j0, box.j1 - tile.j0 };
+  // Relative to the tile, so that no sum exceeds an int.
+  const int i = bin.i0 - tile.i0, j = bin.j0 - tile.j0, unit = level.unitShift;
+  return { std::max(i + (entry.i0 << unit), 0), endOf(i, entry.i1, unit, tile.width()),
+    std::max(j + (entry.j0 << unit), 0), endOf(j, entry.j1, unit, tile.height()) };
 }
 
 template <typename Policy>
@@ -91,9 +97,8 @@ void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::L
   for (int k = 0; k < count; ++k)
   {
     const BinEntry& entry = entries[k];
-    const Window box = { std::max(i + (entry.i0 << unit), 0),
-      std::min(i + ((entry.i1 + 1) << unit), width), std::max(j + (entry.j0 << unit), 0),
-      std::min(j + ((entry.j1 + 1) << unit), height) };
+    const Window box = { std::max(i + (entry.i0 << unit), 0), endOf(i, entry.i1, unit, width),
+      std::max(j + (entry.j0 << unit), 0), endOf(j, entry.j1, unit, height) };
     if (box.empty() || entry.nearest < batch.least)
     {
       continue;
