@@ -235,6 +235,39 @@ TEST(BackgroundImage, IsReproducedExactlyAtThePicturesSize)
   }
 }
 
+// Rows of samples read only the pixels that they need.
+TEST(BackgroundImage, LargerThanThePictureEqualsBruteForce)
+{
+  RandomNumbers numbers(9);
+  for (int k = 0; k < 16; ++k)
+  {
+    RandomScene random = makeSmallScene(k);
+    random.width = 70;
+    random.height = 3;
+    const Pixels image(numbers, 71 << k % 4, 9, 1 + k / 4, k % 2 == 0);
+    image.putBehind(random.scene);
+    const FilmRequest request = withSamples(1 + k % 3, false);
+    EXPECT_TRUE(
+      makePicture(random, request, whole(random), Settings()) == makeByBruteForce(random, request))
+      << image.width << " x " << image.height;
+  }
+}
+
+TEST(BackgroundImage, OfOtherTypesEqualsBruteForce)
+{
+  RandomScene random = makeSmallScene(3);
+  std::vector<double> values;
+  RandomNumbers numbers(10);
+  for (int k = 0; k < 4 * 6 * 5; ++k)
+  {
+    values.push_back(numbers.within(0.0, 1.0));
+  }
+  random.scene.backgroundImage = { { values.data(), AttributeType::Double, 4, false }, 6, 5 };
+  const FilmRequest request = withSamples(2, false);
+  EXPECT_TRUE(
+    makePicture(random, request, whole(random), Settings()) == makeByBruteForce(random, request));
+}
+
 // Opaque pixels hide the gradient; transparent pixels show only the gradient.
 TEST(BackgroundImage, IsCompositedOverTheGradient)
 {

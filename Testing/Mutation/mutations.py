@@ -231,6 +231,9 @@ MUTATIONS = [
     (BACKGROUND, "std::min(first + 1.0, last)", "std::max(first - 1.0, 0.0)",
      "background images are interpolated with the next pixel"),
     (BACKGROUND, "fraction == 0.0 ? first : first", "first", "a NaN of weight 0 has no effect"),
+    (BACKGROUND, "columns[k].fraction == 0.0 ? a : a", "a",
+     "a NaN of weight 0 has no effect in rows of samples"),
+    (BACKGROUND, "a + (b - a) * rows.fraction", "b", "rows of samples are interpolated"),
     (BACKGROUND, "base * (1.0 - alpha)", "base", "opaque background images hide the gradient"),
     (BACKGROUND, "stored / 255.0", "stored / 256.0", "bytes of background images are divided by 255"),
     # Passes.
