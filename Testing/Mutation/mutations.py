@@ -234,6 +234,7 @@ MUTATIONS = [
     (BACKGROUND, "columns[k].fraction == 0.0 ? a : a", "a",
      "a NaN of weight 0 has no effect in rows of samples"),
     (BACKGROUND, "a + (b - a) * rows.fraction", "b", "rows of samples are interpolated"),
+    (BACKGROUND, "alpha == 0.0 ? base : color", "color", "transparent pixels have no colour"),
     (BACKGROUND, "base * (1.0 - alpha)", "base", "opaque background images hide the gradient"),
     (BACKGROUND, "stored / 255.0", "stored / 256.0", "bytes of background images are divided by 255"),
     # Passes.

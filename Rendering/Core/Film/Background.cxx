@@ -38,7 +38,7 @@ Vec3 composited(const ValueOf& value, int components, const Vec3& base)
     return color;
   }
   const double alpha = value(components - 1);
-  return color * alpha + base * (1.0 - alpha);
+  return alpha == 0.0 ? base : color * alpha + base * (1.0 - alpha);
 }
 }
 

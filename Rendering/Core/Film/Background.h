@@ -15,7 +15,7 @@
  * between the centres of the image's pixels, clamped to [0, w - 1] and [0, h - 1]. Its colour is
  * interpolated linearly, first along the rows, then between them. So an image of the size of the
  * picture is reproduced exactly if n = 1. A pixel that has alpha is blended with the gradient
- * first.
+ * first. If its alpha is 0, it is the gradient, even if its colour is infinite or NaN.
  *
  * If the picture has alpha, it has no background: all samples are 0.
  */
