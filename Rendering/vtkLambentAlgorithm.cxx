@@ -175,6 +175,13 @@ int vtkLambentAlgorithm::RequestData(
 {
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
+  int extent[6];
+  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
+  {
+    output->Initialize(); // a piece without pixels
+    return 1;
+  }
   try
   {
     this->MakePicture(inputs, outInfo, output);

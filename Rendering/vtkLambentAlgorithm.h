@@ -18,7 +18,8 @@
  *
  * Output: vtkImageData of extent (0, width-1, 0, height-1, 0, 0), spacing 1, origin 0, row 0 at
  * the bottom, with these point arrays. A part of the extent that is requested downstream is
- * computed alone and equals that part of the whole.
+ * computed alone and equals that part of the whole. If it is empty, like a piece beyond the number
+ * of rows, so is the output.
  *
  * array         | type                           | where nothing is hit | if
  * ------------- | ------------------------------ | -------------------- | ---------------------

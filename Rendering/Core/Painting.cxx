@@ -118,8 +118,9 @@ void Painting::paintAverages(
   for (int row = 0; row < pixels.height(); ++row)
   {
     const Window inRow{ pixels.i0, pixels.i1, pixels.j0 + row, pixels.j0 + row + 1 };
-    memory.isHit[row] ? this->Target.storeAverages(inRow, colors, n * row)
-                      : this->Target.storeBackground(inRow);
+    memory.isHit[row] || this->Target.background().hasImage()
+      ? this->Target.storeAverages(inRow, colors, n * row)
+      : this->Target.storeBackground(inRow);
   }
 }
 
@@ -183,7 +184,29 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
   batch.clear();
 }
 
-/// Gives all samples the colour of the background, and those that hit something alpha 1.
+/// Gives the samples of a piece that hit nothing the colour of the background.
+void Painting::fillMissed(SampleBatch& batch, int number) const
+{
+  const SamplePiece& piece = batch.pieces[number];
+  const int first = number * SampleBatch::pieceSize, end = first + piece.width;
+  for (int begin = first, next = 0; begin < end; begin = next)
+  {
+    const std::int64_t run = batch.run[begin];
+    for (next = begin + 1; next < end && batch.run[next] == run;)
+    {
+      ++next;
+    }
+    if (batch.triangles[run] == noTriangle)
+    {
+      double* const channels[3] = { batch.colors[0] + begin, batch.colors[1] + begin,
+        batch.colors[2] + begin };
+      this->Target.background().fill(piece.i + begin - first, piece.j, next - begin, channels);
+    }
+  }
+}
+
+/// Gives samples the colour of the background, and those that hit something alpha 1. A colour is
+/// stored even where something is hit, if that is faster; an image's is not.
 void Painting::fillBackground(SampleBatch& batch) const
 {
   const Background& background = this->Target.background();
@@ -191,17 +214,16 @@ void Painting::fillBackground(SampleBatch& batch) const
   {
     const SamplePiece& piece = batch.pieces[k];
     const int first = k * SampleBatch::pieceSize;
-    double* const channels[3] = { batch.colors[0] + first, batch.colors[1] + first,
-      batch.colors[2] + first };
     if (background.hasImage())
     {
-      background.fill(piece.i, piece.j, piece.width, channels);
+      this->fillMissed(batch, k);
       continue;
     }
     const Vec3& color = background.gradient(piece.j);
     for (int channel = 0; channel < 3; ++channel)
     {
-      std::fill_n(channels[channel], SampleBatch::pieceSize, color[channel]); // of fixed size
+      std::fill_n(
+        batch.colors[channel] + first, SampleBatch::pieceSize, color[channel]); // of fixed size
     }
   }
   const int places = batch.pieceCount * SampleBatch::pieceSize;

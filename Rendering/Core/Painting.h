@@ -76,6 +76,7 @@ private:
   template <typename StoreTo>
   void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;
+  void fillMissed(SampleBatch& batch, int number) const;
   void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
 
   const SurfacePoints& Points;

@@ -224,9 +224,13 @@ Report render(const Scene& scene, const Image& image, const Parallel& parallel,
   const Progress& progress, const Settings& settings)
 {
   const Window& part = image.part;
+  if (part.empty())
+  {
+    return Report();
+  }
   const std::size_t samplesPerRow =
     static_cast<std::size_t>(part.width()) * image.samples * image.samples;
-  const int rows = image.samples == 1 || part.empty()
+  const int rows = image.samples == 1
     ? part.height()
     : static_cast<int>(std::clamp<std::size_t>(
         settings.mostSamples / samplesPerRow, 1, static_cast<std::size_t>(part.height())));

@@ -81,7 +81,8 @@ struct Report
 using Progress = std::function<bool(double)>;
 
 /// The camera must have no defect, the image at least one pixel, and the scene fewer than
-/// noTriangle primitives. Throws std::bad_alloc.
+/// noTriangle primitives. If the image's part is empty, nothing is read or stored. Throws
+/// std::bad_alloc.
 Report render(const Scene& scene, const Image& image, const Parallel& parallel = Parallel(),
   const Progress& progress = nullptr, const Settings& settings = Settings());
 }

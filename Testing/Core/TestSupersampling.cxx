@@ -131,6 +131,24 @@ TEST(Supersampling, AveragesTheLargerPicture)
   }
 }
 
+TEST(Supersampling, EmptyPartsStoreNothing)
+{
+  const RandomScene random = makeSmallScene(5);
+  for (const Window& part :
+    { Window{ 3, 3, 0, 2 }, Window{ 0, 4, 2, 2 }, Window{ 5, 2, 0, 2 }, Window{ 0, 4, 3, -2 } })
+  {
+    for (int samples : { 1, 2 })
+    {
+      Image image;
+      image.width = random.width;
+      image.height = random.height;
+      image.part = part;
+      image.samples = samples;
+      EXPECT_EQ(render(random.scene, image).outcome, Outcome::Done);
+    }
+  }
+}
+
 TEST(Supersampling, EqualsBruteForceInEveryInstructionSet)
 {
   for (unsigned int seed = 100; seed < 140 && !HasFailure(); ++seed)

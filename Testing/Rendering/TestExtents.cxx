@@ -7,6 +7,9 @@
 #include "vtkExtractVOI.h"
 #include "vtkImageDataStreamer.h"
 
+#include <set>
+#include <utility>
+
 namespace
 {
 void setUp(Studio& studio)
@@ -87,6 +90,63 @@ TEST(Extents, StreamedInDivisions)
     const Picture streamed(streamer->GetOutput());
     EXPECT_SAME_BITS(whole, streamed);
     EXPECT_LT(parts.tracer->GetOutput()->GetNumberOfPoints(), 101 * 67);
+  }
+}
+
+// Pieces share the pixels on their borders.
+TEST(Extents, SurplusPiecesAreEmpty)
+{
+  constexpr int pieces = 100; // more than the image has pixels
+  for (int samples : { 1, 2 })
+  {
+    Studio studio(10, 7);
+    setUp(studio);
+    studio.tracer->SetSupersampling(samples);
+    studio.tracer->GenerateIdsOn();
+    const Picture whole = render(studio.tracer);
+    std::set<std::pair<int, int>> pixels;
+    int emptyPieces = 0;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      EXPECT_TRUE(studio.tracer->UpdatePiece(piece, pieces, 0));
+      int part[6];
+      studio.tracer->GetOutput()->GetExtent(part);
+      const Picture picture(studio.tracer->GetOutput());
+      emptyPieces += picture.empty();
+      for (int j = part[2]; j <= part[3]; ++j)
+      {
+        EXPECT_EQ(picture.bits(part[0], part[1] + 1, j), whole.bits(part[0], part[1] + 1, j))
+          << "piece " << piece << ", row " << j;
+        for (int i = part[0]; i <= part[1]; ++i)
+        {
+          pixels.emplace(i, j);
+        }
+      }
+    }
+    EXPECT_GT(emptyPieces, 0);
+    EXPECT_EQ(pixels.size(), 10u * 7u);
+  }
+}
+
+TEST(Extents, EmptyOnesGiveAnEmptyImage)
+{
+  const int extents[][6] = { { 5, 4, 0, 29, 0, 0 }, { 7, 3, 0, 29, 0, 0 }, { 0, 39, 10, 9, 0, 0 },
+    { 0, 39, 12, 3, 0, 0 }, { 0, -1, 0, -1, 0, -1 }, { 0, 39, 0, 29, 0, -1 },
+    { 30, 4, 20, 3, 0, 0 } };
+  for (int samples : { 1, 2 })
+  {
+    for (const auto& extent : extents)
+    {
+      Studio studio(40, 30);
+      setUp(studio);
+      studio.tracer->SetSupersampling(samples);
+      studio.tracer->GenerateIdsOn();
+      EXPECT_TRUE(studio.tracer->UpdateExtent(extent));
+      EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
+      EXPECT_TRUE(Picture(studio.tracer->GetOutput()).empty());
+      studio.tracer->UpdateWholeExtent();
+      EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 40 * 30);
+    }
   }
 }
 

@@ -16,30 +16,51 @@ constexpr Nearness anyNearness{ -std::numeric_limits<float>::infinity(),
 /// ones are cast first: so many that they fill a batch.
 constexpr std::int64_t manyLayers = 16;
 constexpr int nearestCount = TriangleBatch::capacity;
-}
 
-template <typename Policy>
-Window Casting<Policy>::boxIn(
-  const TileSamples& samples, const TileGrid::Level& level, const BinEntry& entry) const
+/// The boxes of a bin's entries, in samples from the first of a tile.
+class EntryBoxes
 {
-  const Window& tile = samples.window();
-  const Window bin = this->Grid.window(level, tile.i0, tile.j0);
-  const int unit = level.unitShift;
-  const Window box =
-    intersection({ bin.i0 + (entry.i0 << unit), bin.i0 + ((entry.i1 + 1) << unit),
-                   bin.j0 + (entry.j0 << unit), bin.j0 + ((entry.j1 + 1) << unit) },
-      tile);
-  return { box.i0 - tile.i0, box.i1 - tile.i0, box.j0 - tile.j0, box.j1 - tile.j0 };
+public:
+  EntryBoxes(const TileGrid& grid, const TileGrid::Level& level, const Window& tile)
+    : Unit(level.unitShift)
+    , Width(tile.width())
+    , Height(tile.height())
+  {
+    const Window bin = grid.window(level, tile.i0, tile.j0);
+    this->I = bin.i0 - tile.i0;
+    this->J = bin.j0 - tile.j0;
+  }
+
+  /// Clipped to the tile.
+  Window of(const BinEntry& entry) const
+  {
+    return { std::max(this->I + (entry.i0 << this->Unit), 0),
+      this->endOf(this->I, entry.i1, this->Width), std::max(this->J + (entry.j0 << this->Unit), 0),
+      this->endOf(this->J, entry.j1, this->Height) };
+  }
+
+private:
+  /// The last sample of a step fits an int, but the end after it may not.
+  int endOf(int begin, int step, int most) const
+  {
+    const int last = begin + ((step << this->Unit) + ((1 << this->Unit) - 1));
+    return std::min(last, most - 1) + 1;
+  }
+
+  int I, J; ///< the first sample of the bin, at most 0
+  const int Unit, Width, Height;
+};
 }
 
 template <typename Policy>
 void Casting<Policy>::castPlainly(
   const BinEntry* entries, int count, const TileGrid::Level& level, TileHits<Policy>& tile) const
 {
+  const EntryBoxes boxes(this->Grid, level, tile.samples.window());
   for (int k = 0; k < count; ++k)
   {
     const BinEntry& entry = entries[k];
-    const Window box = this->boxIn(tile.samples, level, entry);
+    const Window box = boxes.of(entry);
     if (!box.empty())
     {
       this->Mesh.visit(entry.primitive,
@@ -72,17 +93,12 @@ template <typename Policy>
 void Casting<Policy>::cast(const BinEntry* entries, int count, const TileGrid::Level& level,
   TileHits<Policy>& tile, CastingMemory& memory) const
 {
-  const Window& window = tile.samples.window();
-  const Window bin = this->Grid.window(level, window.i0, window.j0);
-  const int i = bin.i0 - window.i0, j = bin.j0 - window.j0, unit = level.unitShift;
-  const int width = window.width(), height = window.height();
+  const EntryBoxes boxes(this->Grid, level, tile.samples.window());
   WaitingPrimitives& waiting = memory.waiting;
   for (int k = 0; k < count; ++k)
   {
     const BinEntry& entry = entries[k];
-    const Window box = { std::max(i + (entry.i0 << unit), 0),
-      std::min(i + ((entry.i1 + 1) << unit), width), std::max(j + (entry.j0 << unit), 0),
-      std::min(j + ((entry.j1 + 1) << unit), height) };
+    const Window box = boxes.of(entry);
     if (box.empty() || entry.nearest < tile.least)
     {
       continue;

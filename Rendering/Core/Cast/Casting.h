@@ -63,8 +63,6 @@ private:
   void castWaiting(TileHits<Policy>& tile, CastingMemory& memory) const;
   void castWaiting(int begin, int end, TileHits<Policy>& tile, CastingMemory& memory) const;
 
-  Window boxIn(
-    const TileSamples& samples, const TileGrid::Level& level, const BinEntry& entry) const;
   template <typename Primitive>
   void test(const Primitive& primitive, std::uint32_t number, const Window& box,
     TileHits<Policy>& tile) const;

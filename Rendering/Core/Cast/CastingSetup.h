@@ -53,8 +53,16 @@ public:
     , Nearest(smallest(corners[0].z, corners[1].z, corners[2].z))
     , Farthest(largest(corners[0].z, corners[1].z, corners[2].z))
   {
+    const auto isZeroOrOrdinary = [](V coordinate)
+    {
+      return hn::Or(hn::Eq(coordinate, hn::Zero(d)),
+        hn::Gt(hn::Abs(coordinate), hn::Set(d, smallestCoordinate)));
+    };
+    this->AreOrdinary = hn::Gt(hn::Set(d, tile.pixel), hn::Set(d, smallestPixel));
     for (int k = 0; k < 3; ++k)
     {
+      this->AreOrdinary = hn::And(
+        this->AreOrdinary, hn::And(isZeroOrOrdinary(corners[k].x), isZeroOrOrdinary(corners[k].y)));
       this->Edges[k] =
         edgeFunction(corners[(k + 1) % 3], corners[(k + 2) % 3], tile, this->Errors[k]);
       this->Sizes[k] = this->Edges[k].size(tile);
@@ -84,8 +92,9 @@ public:
   /// Stores the edge functions. Returns the triangles for which float suffices.
   M storeEdges(Triangles& out) const
   {
-    M regular = hn::And(hn::Gt(this->Nearest, hn::Set(d, smallestRangedDepth)),
-      isBelow(this->Farthest, largestRangedDepth));
+    M regular = hn::And(this->AreOrdinary,
+      hn::And(hn::Gt(this->Nearest, hn::Set(d, smallestRangedDepth)),
+        isBelow(this->Farthest, largestRangedDepth)));
     V error = hn::Zero(d);
     for (int k = 0; k < 3; ++k)
     {
@@ -166,6 +175,7 @@ private:
   bool IsParallel;
   V Depths[3];
   V Nearest, Farthest;
+  M AreOrdinary; ///< no product of sheared coordinates underflows
   Affine Edges[3] = {};
   V Errors[3], Sizes[3];
 };

@@ -14,6 +14,7 @@
 #include "TileGrid.h"
 #include "Window.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace lambent
@@ -33,8 +34,9 @@ public:
     this->Ys.resize(this->Stride + widestVector);
     for (int k = 0; k < this->Stride; ++k)
     {
-      this->Xs[k] = frame.x(part.i0 + samples.i0 + k);
-      this->Ys[k] = frame.y(part.j0 + samples.j0 + k);
+      // Samples beyond the window are unused, and their numbers may not fit an int.
+      this->Xs[k] = frame.x(part.i0 + samples.i0 + std::min(k, samples.width() - 1));
+      this->Ys[k] = frame.y(part.j0 + samples.j0 + std::min(k, samples.height() - 1));
     }
   }
 

@@ -89,12 +89,35 @@ void Film::storeBackground(const Window& pixels) const
 
 void Film::storeBackgroundImage(const Window& pixels) const
 {
+  const int n = this->Target.samples;
+  TileColors colors;
+  if (n > 1)
+  {
+    colors.reset(n * pixels.width(), n, 3);
+  }
   for (int j = pixels.j0; j < pixels.j1; ++j)
   {
-    for (int i = pixels.i0; i < pixels.i1; ++i)
+    for (int row = 0; n > 1 && row < n; ++row)
     {
-      this->storeColor(i, j, this->averageBackground(i, j));
+      double* const channels[3] = { colors.at(0, 0, row), colors.at(1, 0, row),
+        colors.at(2, 0, row) };
+      this->Behind.fill(n * pixels.i0, n * j + row, n * pixels.width(), channels);
     }
+    n == 1 ? this->storeBackgroundImageRow(pixels.i0, pixels.i1, j)
+           : this->storeAverages({ pixels.i0, pixels.i1, j, j + 1 }, colors, 0);
+  }
+}
+
+/// Each sample is a pixel.
+void Film::storeBackgroundImageRow(int begin, int end, int j) const
+{
+  double colors[4][mostPixels] = {};
+  double* const channels[4] = { colors[0], colors[1], colors[2], colors[3] };
+  for (int i = begin; i < end; i += mostPixels)
+  {
+    const int count = std::min(mostPixels, end - i);
+    this->Behind.fill(i, j, count, channels);
+    this->storeColors(i, j, count, channels);
   }
 }
 

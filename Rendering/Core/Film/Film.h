@@ -89,6 +89,7 @@ private:
   }
   FilmColor averageBackground(int i, int j) const;
   void storeBackgroundImage(const Window& pixels) const;
+  void storeBackgroundImageRow(int begin, int end, int j) const;
   std::size_t pixel(int i, int j) const
   {
     return static_cast<std::size_t>(j) * this->Target.part.width() + i;

@@ -30,6 +30,17 @@ constexpr float nearnessSlack = 1.0f / (1 << 21);
 /// Between these depths, floats and their reciprocals neither overflow nor underflow.
 constexpr double smallestRangedDepth = 1e-30, largestRangedDepth = 1e30;
 
+/// The depths of the corners bound the depth that intersect() computes only if no product of
+/// sheared coordinates underflows. So a corner's x and y in the frame must be 0 or larger than
+/// smallestCoordinate, pixels larger than smallestPixel, and depths within the limits above. Then
+/// all sheared coordinates are 0 or at least about 1e-123.
+constexpr double smallestCoordinate = 1e-120, smallestPixel = 1e-60;
+
+inline bool isZeroOrOrdinary(double coordinate)
+{
+  return coordinate == 0.0 || coordinate > smallestCoordinate || coordinate < -smallestCoordinate;
+}
+
 /// The nearness range of a known depth. A depth outside the limits gets a range that overlaps all
 /// others.
 inline Nearness nearnessOf(double depth, bool parallel)

@@ -23,6 +23,7 @@
 #define lambent_PointLattice_h
 
 #include "CameraFrame.h"
+#include "Nearness.h"
 #include "Window.h"
 
 #include <cstdint>
@@ -73,7 +74,7 @@ public:
   bool isPrecise() const
   {
     return this->Columns.margin < 0.25 && this->Rows.margin < 0.25 &&
-      this->SamplesPerUnit > 1e-60 && this->SamplesPerUnit < 1e60;
+      this->SamplesPerUnit > 1e-60 && this->Frame.pixel > smallestPixel;
   }
 
   /// The samples whose rays can hit a triangle with points at a, b and c, none of which is

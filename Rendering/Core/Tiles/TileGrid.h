@@ -8,7 +8,9 @@
  * primitive that spans more than two of them along an axis is stored on a coarser level, whose
  * tiles are eight times as wide, instead of in every fine tile below. So no primitive is stored in
  * more than four places, and one that covers the whole image needs no more memory than a small one.
- * A fine tile reads its own primitives and those of the coarser tiles above it.
+ * A fine tile reads its own primitives and those of the coarser tiles above it. So tiles must
+ * consist of whole finer tiles. The coarsest is only two or four times as wide where eight times
+ * would not fit an int.
  *
  * A tile holds whole pixels. If its size is a power of two, a shift finds the tile of a sample.
  */
@@ -19,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace lambent
@@ -54,7 +57,11 @@ public:
          this->Levels.size() < 2 || this->Levels.back().columns > 2 || this->Levels.back().rows > 2;
          next *= coarser)
     {
-      this->addLevel(static_cast<int>(std::min(next, largestSize)), static_cast<int>(first));
+      while (next > std::numeric_limits<int>::max())
+      {
+        next /= 2;
+      }
+      this->addLevel(static_cast<int>(next), static_cast<int>(first));
       first += static_cast<std::int64_t>(this->Levels.back().columns) * this->Levels.back().rows;
       this->Total = static_cast<int>(first);
     }
@@ -100,9 +107,6 @@ public:
   }
 
 private:
-  /// The largest size of a tile: as large as any image, while its end still fits an int.
-  static constexpr std::int64_t largestSize = 1 << 30;
-
   void addLevel(int size, int first)
   {
     Level level{ size, -1, (this->Whole.i1 - 1) / size + 1, (this->Whole.j1 - 1) / size + 1, first,

@@ -185,16 +185,19 @@ void TriangleBinning::insert(std::uint32_t place, const BoxedPartView& view,
   const TriangleBinningMemory& memory, BinningResult& result) const
 {
   const LatticeBoxes& boxes = memory.boxes;
-  const auto depthOf = [&](std::size_t corner)
+  double nearest = std::numeric_limits<double>::infinity();
+  bool isBound = true; // pixels are larger than smallestPixel, or the points would have no place
+  for (std::size_t corner = 0; corner < 3; ++corner)
   {
     const std::int32_t point = boxes.corners[3 * place + corner] - view.offset;
-    return this->Frame.toFrame(view.points[point]).z;
-  };
-  const double nearest = std::min({ depthOf(0), depthOf(1), depthOf(2) });
+    const FramePoint p = this->Frame.toFrame(view.points[point]);
+    nearest = std::min(nearest, p.z);
+    isBound = isBound && isZeroOrOrdinary(p.x) && isZeroOrOrdinary(p.y);
+  }
   result.bins.insert(view.first + place,
     this->Lattice.samplesFrom(boxes.first[place], boxes.end[place]),
     this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
-    nearnessOf(nearest, this->Frame.parallel).high);
+    isBound ? nearnessOf(nearest, this->Frame.parallel).high : anyNearness);
 }
 
 void TriangleBinning::binPlainly(
