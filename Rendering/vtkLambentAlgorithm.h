@@ -132,7 +132,8 @@ public:
   /**
    * The colour where nothing is hit, red, green, blue, usually in [0, 1]; finite.
    * With GradientBackground it is the colour at the bottom edge of the image,
-   * and Background2 that at the top edge. Defaults: black, off, black.
+   * and Background2 that at the top edge. A colour that does not show, since it is behind an image
+   * without alpha or GradientBackground is off, causes a warning. Defaults: black, off, black.
    */
   vtkSetVector3Macro(Background, double);
   vtkGetVector3Macro(Background, double);
