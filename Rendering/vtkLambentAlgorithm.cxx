@@ -293,7 +293,7 @@ void vtkLambentAlgorithm::MakePicture(
   }
   if (this->GenerateIds)
   {
-    addIds(triangles.get(), description.surfaces(), output);
+    addIds(triangles.get(), description.surfaces(), parallel, output);
   }
 }
 
