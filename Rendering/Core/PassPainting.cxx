@@ -5,11 +5,54 @@
 #include "FillKernel.h"
 #include "LoadTriangles.h"
 #include "PassStore.h"
+#include "PointKernel.h"
 
 #include <algorithm>
 
 namespace lambent
 {
+namespace
+{
+/// An attribute of a surface, or nullptr.
+const AttributeSpan* attributeOf(const Surface& surface, std::size_t attribute)
+{
+  const bool isThere = attribute < surface.attributes.size() && surface.attributes[attribute];
+  return isThere ? &surface.attributes[attribute] : nullptr;
+}
+
+/// Calls store(valueOf), where valueOf(place, k) is component k of an attribute at a place of the
+/// triangle. The same as TrianglePoints::attribute().
+template <typename Store>
+void storeRun(const AttributeSpan& values, const SceneMesh::Part& part, std::uint32_t number,
+  const PointBatch& points, const Store& store)
+{
+  const Surface& surface = *part.surface;
+  const std::size_t triangle = number - part.firstTriangle;
+  const auto components = static_cast<std::size_t>(values.components);
+  values.visit(
+    [&](const auto* all)
+    {
+      if (values.isPerCell)
+      {
+        const auto* const cell =
+          all + components * static_cast<std::size_t>(surface.cellOf(triangle));
+        store([cell](int, int k) { return static_cast<double>(cell[k]); });
+        return;
+      }
+      const auto corner = [&](std::size_t k)
+      { return all + components * surface.corners[3 * triangle + k]; };
+      const auto *const a = corner(0), *const b = corner(1), *const c = corner(2);
+      store(
+        [&points, a, b, c](int place, int k)
+        {
+          const auto weighted = [&](const auto* values, int corner)
+          { return static_cast<double>(values[k]) * points.weights[corner][place]; };
+          return (weighted(a, 0) + weighted(b, 1)) + weighted(c, 2);
+        });
+    });
+}
+}
+
 void PassPainting::storeNothing(int i, int j, int count) const
 {
   for (const Pass& pass : this->Target.passes)
@@ -155,14 +198,46 @@ void PassPainting::store(
       store([&](int place, int k) { return points.position[k][place]; });
       break;
     case PassContent::Attribute:
-      store(
-        [&](int place, int k)
+      this->storeAttribute(pass, batch, points, piece);
+  }
+}
+
+/// Stores a piece of an attribute. Looks up the surface, the corners and the type of the values
+/// once for each run.
+void PassPainting::storeAttribute(
+  const Pass& pass, const SampleBatch& batch, const PointBatch& points, int number) const
+{
+  const SamplePiece& piece = batch.pieces[number];
+  const int first = number * SampleBatch::pieceSize, end = first + piece.width;
+  for (int begin = first, next = 0; begin < end; begin = next)
+  {
+    next = batch.endOfRun(begin, end);
+    const std::int64_t run = batch.run[begin];
+    const std::size_t pixel = this->pixel(piece.i + begin - first, piece.j);
+    const std::uint32_t triangle = batch.triangles[run];
+    const AttributeSpan* const values =
+      triangle == noTriangle ? nullptr : attributeOf(*batch.parts[run]->surface, pass.attribute);
+    if (!values)
+    {
+      lambent::storeNothing(pass, pixel, next - begin);
+      continue;
+    }
+    const auto places = [&](const auto& valueOf)
+    {
+      atPixel(pass, pixel,
+        [&](auto* to)
         {
-          const Vec3 weights(
-            points.weights[0][place], points.weights[1][place], points.weights[2][place]);
-          return this->Points.attribute(
-            batch.triangles[batch.run[place]], weights, pass.attribute, k);
+          using Value = std::remove_pointer_t<decltype(to)>;
+          for (int place = begin; place < next; ++place)
+          {
+            for (int k = 0; k < pass.components; ++k)
+            {
+              *to++ = canonical<Value>(valueOf(place, k));
+            }
+          }
         });
+    };
+    storeRun(*values, *batch.parts[run], triangle, points, places);
   }
 }
 
