@@ -17,6 +17,9 @@ namespace lambent::adapters
 /// nullptr gives none. The image and the spans must outlive the result. Throws std::runtime_error
 /// with a message for the user.
 BackgroundImage backgroundFromVTK(vtkImageData* image, SpansFromVTK& spans);
+
+/// Whether there is an image that can be used and has no alpha.
+bool isOpaque(vtkImageData* image);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "IdleSettings.h"
 
 #include "AppearanceFromVTK.h"
+#include "BackgroundFromVTK.h"
 #include "CameraFromVTK.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
@@ -159,13 +160,25 @@ void addLights(Messages& messages, const SceneSettings& settings)
 
 void addBackground(Messages& messages, const SceneSettings& settings)
 {
-  const bool hasColor = settings.background != Vec3(0.0) || settings.backgroundTop != Vec3(0.0);
+  const bool hasColor = settings.background != Vec3(0.0) || settings.backgroundTop() != Vec3(0.0);
   if (settings.outputAlpha && (hasColor || settings.backgroundImage))
   {
     messages.push_back(
       std::string(settings.backgroundImage ? "SetBackgroundImage()" : "SetBackground()") +
       " has no effect: with OutputAlpha the picture has no background. Call OutputAlphaOff(), or "
       "composite the picture over a background afterwards.");
+  }
+  else if (hasColor && isOpaque(settings.backgroundImage))
+  {
+    messages.push_back("SetBackground() has no effect: the background image has no alpha, so it "
+                       "hides the colour. Call SetBackgroundImage() with an image of 2 or 4 "
+                       "components, or SetBackground(0, 0, 0) and GradientBackgroundOff().");
+  }
+  else if (!settings.gradientBackground && settings.background2 != Vec3(0.0) &&
+    settings.background2 != settings.background)
+  {
+    messages.push_back("SetBackground2() has no effect: there is no gradient. Call "
+                       "GradientBackgroundOn(), or SetBackground2(0, 0, 0).");
   }
 }
 }

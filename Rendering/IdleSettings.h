@@ -16,7 +16,8 @@ namespace lambent::adapters
 {
 struct SceneSettings;
 
-/// Checks the camera, the lights, the properties in use, and the settings for computing normals.
+/// Checks the camera, the lights, the properties in use, the settings for computing normals, the
+/// background, and the arrays to pass.
 /// Returns one message for each setting without effect.
 std::vector<std::string> findIdleSettings(const SceneSettings& settings);
 }

@@ -7,7 +7,6 @@
 #ifndef InputSurfaces_h
 #define InputSurfaces_h
 
-#include "Bounds.h"
 #include "Render.h"
 #include "SurfaceFromVTK.h"
 

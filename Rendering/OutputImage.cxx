@@ -5,6 +5,7 @@
 #include "HugePages.h"
 #include "InputSurfaces.h"
 #include "PassTable.h"
+#include "WatchedParallel.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -17,6 +18,7 @@
 
 #include <vtksys/SystemInformation.hxx>
 
+#include <algorithm>
 #include <new>
 #include <string>
 
@@ -125,27 +127,33 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
   return image;
 }
 
-void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces, vtkImageData* output)
+void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
+  const WatchedParallel& parallel, vtkImageData* output)
 {
   const vtkIdType pixels = output->GetNumberOfPoints();
   const auto cells = makeArray(VTK_ID_TYPE, "CellIds", 1, pixels);
   const auto inputs = makeArray(VTK_ID_TYPE, "InputIds", 1, pixels);
   auto* const cell = static_cast<vtkIdType*>(cells->GetVoidPointer(0));
   auto* const input = static_cast<vtkIdType*>(inputs->GetVoidPointer(0));
-  vtkSMPTools::For(0, pixels,
-    [&](vtkIdType begin, vtkIdType end)
+  const auto addTo = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType k = begin; k < end; ++k)
     {
-      for (vtkIdType k = begin; k < end; ++k)
+      cell[k] = input[k] = -1;
+      if (triangles[k] != noTriangle)
       {
-        cell[k] = input[k] = -1;
-        if (triangles[k] != noTriangle)
-        {
-          const InputSurfaces::Place place = surfaces.find(triangles[k]);
-          cell[k] = static_cast<vtkIdType>(place.cell);
-          input[k] = static_cast<vtkIdType>(place.input);
-        }
+        const InputSurfaces::Place place = surfaces.find(triangles[k]);
+        cell[k] = static_cast<vtkIdType>(place.cell);
+        input[k] = static_cast<vtkIdType>(place.input);
       }
-    });
+    }
+  };
+  constexpr vtkIdType atOnce = 1024 * 1024;
+  for (vtkIdType begin = 0; begin < pixels; begin += atOnce)
+  {
+    parallel.checkAbort();
+    vtkSMPTools::For(begin, std::min(begin + atOnce, pixels), addTo);
+  }
   output->GetPointData()->AddArray(cells);
   output->GetPointData()->AddArray(inputs);
 }

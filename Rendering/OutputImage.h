@@ -7,7 +7,7 @@
 #ifndef OutputImage_h
 #define OutputImage_h
 
-#include "Render.h"
+#include "Image.h"
 #include "SceneSettings.h"
 
 #include <vector>
@@ -18,6 +18,7 @@ class vtkInformation;
 namespace lambent::adapters
 {
 class InputSurfaces;
+class WatchedParallel;
 
 /// What the output holds.
 struct OutputSettings
@@ -37,8 +38,9 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
   vtkInformation* outInfo, vtkImageData* output);
 
 /// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the triangle
-/// that each pixel shows.
-void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces, vtkImageData* output);
+/// that each pixel shows. Throws Aborted if the filter should stop.
+void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
+  const WatchedParallel& parallel, vtkImageData* output);
 }
 
 #endif

@@ -7,7 +7,6 @@
 #ifndef PassArrays_h
 #define PassArrays_h
 
-#include "AttributeSpan.h"
 #include "SceneSettings.h"
 
 #include <string>

@@ -4,6 +4,7 @@
 
 #include "AppearanceFromVTK.h"
 #include "BackgroundFromVTK.h"
+#include "Bounds.h"
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
 #include "Chunks.h"
@@ -106,8 +107,12 @@ void SceneFromSettings::addLights()
 
 void SceneFromSettings::addBackground()
 {
+  if (this->Settings.outputAlpha)
+  {
+    return; // the picture has no background, so none can be wrong
+  }
   this->Description.background = this->Settings.background;
-  this->Description.backgroundTop = this->Settings.backgroundTop;
+  this->Description.backgroundTop = this->Settings.backgroundTop();
   if (!isFinite(this->Description.background) || !isFinite(this->Description.backgroundTop))
   {
     throw std::runtime_error("The background has a channel that is not a finite number. Call "

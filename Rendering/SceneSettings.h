@@ -54,10 +54,16 @@ struct SceneSettings
   int imageSize[2] = { 300, 300 };
   AmbientModel ambientModel = AmbientModel::PerLight;
   bool twoSidedLighting = true;
-  Vec3 background{ 0.0 };    ///< at the bottom edge
-  Vec3 backgroundTop{ 0.0 }; ///< at the top edge
+  Vec3 background{ 0.0 };  ///< at the bottom edge
+  Vec3 background2{ 0.0 }; ///< at the top edge, if there is a gradient
+  bool gradientBackground = false;
   vtkImageData* backgroundImage = nullptr;
   bool outputAlpha = false;
+
+  Vec3 backgroundTop() const
+  {
+    return this->gradientBackground ? this->background2 : this->background;
+  }
 
   vtkProperty* propertyOf(const Input& input) const
   {

@@ -217,8 +217,8 @@ void vtkLambentAlgorithm::AddOwnSettings(SceneSettings& scene)
     this->AmbientModel == SCENE ? lambent::AmbientModel::Scene : lambent::AmbientModel::PerLight;
   scene.twoSidedLighting = this->TwoSidedLighting != 0;
   scene.background = vec3FromVTK(this->Background);
-  scene.backgroundTop =
-    this->GradientBackground ? vec3FromVTK(this->Background2) : scene.background;
+  scene.background2 = vec3FromVTK(this->Background2);
+  scene.gradientBackground = this->GradientBackground != 0;
   scene.backgroundImage = this->BackgroundImage;
   scene.outputAlpha = this->OutputAlpha != 0;
   scene.passArrays = this->Internal->PassArrays;
@@ -300,7 +300,7 @@ void vtkLambentAlgorithm::MakePicture(
   }
   if (this->GenerateIds)
   {
-    addIds(triangles.get(), description.surfaces(), output);
+    addIds(triangles.get(), description.surfaces(), parallel, output);
   }
 }
 

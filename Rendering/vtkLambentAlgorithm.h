@@ -87,9 +87,11 @@ public:
   /**
    * The number n of samples along each axis of a pixel, 1 to 16. A pixel is the average of
    * n x n linear values, those of the picture of n times the size (a box filter), so that edges
-   * become smooth. The time grows less than the number of samples, the memory hardly.
-   * GenerateIds names what the sample (n / 2, n / 2) of the pixel sees, rounded down. n times
-   * the image size may not exceed 2147483647. Default: 1, one sample in the centre.
+   * become smooth. The time grows less than the number of samples, the memory hardly. A picture
+   * of more than 2^25 samples is rendered in bands, each of which reads the whole mesh: one at
+   * 1920 x 1080 with n = 4, four with n = 8. GenerateIds names what the sample (n / 2, n / 2) of
+   * the pixel sees, rounded down. n times the image size may not exceed 2147483647. Default: 1, one
+   * sample in the centre.
    */
   vtkSetMacro(Supersampling, int);
   vtkGetMacro(Supersampling, int);
@@ -132,7 +134,8 @@ public:
   /**
    * The colour where nothing is hit, red, green, blue, usually in [0, 1]; finite.
    * With GradientBackground it is the colour at the bottom edge of the image,
-   * and Background2 that at the top edge. Defaults: black, off, black.
+   * and Background2 that at the top edge. A colour that does not show, since it is behind an image
+   * without alpha or GradientBackground is off, causes a warning. Defaults: black, off, black.
    */
   vtkSetVector3Macro(Background, double);
   vtkGetVector3Macro(Background, double);
@@ -231,11 +234,13 @@ public:
    * Add a point array of that name to the picture: the values of a point or cell array of the
    * surfaces seen (association: vtkDataObject::FIELD_ASSOCIATION_POINTS or
    * FIELD_ASSOCIATION_CELLS). Point arrays are interpolated with the barycentric coordinates of
-   * the hit, of the triangle that the cell was cut into; cell arrays are not. The array is double
-   * if the input's is, or has integers of 32 or 64 bits, and otherwise float. Inputs that have the
-   * array must agree in its number of components. Its values are NaN on inputs that do not have
-   * it; an array that no input has causes a warning. Names of the picture's own arrays (see the
-   * table above), and one name twice, are an error. Default: none.
+   * the hit, of the triangle that the cell was cut into; cell arrays are not. The coordinates are
+   * rounded and may not sum to exactly 1, so that even a value that all points share may change in
+   * its last digits: labels belong on cells. The array is double if the input's is, or has integers
+   * of 32 or 64 bits, and otherwise float. Inputs that have the array must agree in its number of
+   * components. Its values are NaN on inputs that do not have it; an array that no input has causes
+   * a warning. Names of the picture's own arrays (see the table above), and one name twice, are an
+   * error. Default: none.
    */
   void AddPassArray(int association, const char* name);
   void RemoveAllPassArrays();

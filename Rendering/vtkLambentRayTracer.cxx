@@ -3,6 +3,7 @@
 #include "vtkLambentRayTracer.h"
 
 #include "AppearanceFromVTK.h"
+#include "Bounds.h"
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
 #include "InputSettings.h"
@@ -12,6 +13,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
@@ -24,6 +26,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
+#include <string>
 
 using namespace lambent::adapters;
 
@@ -32,6 +36,22 @@ struct vtkLambentRayTracer::Internals
   vtkNew<vtkLightCollection> Lights;
   InputSettings Inputs;
 };
+
+namespace
+{
+/// The input of a connection. Throws if it is composite; the executive refuses other types.
+vtkPolyData* polyDataOf(vtkDataObject* input, int connection)
+{
+  if (vtkCompositeDataSet::SafeDownCast(input))
+  {
+    throw std::runtime_error("Input " + std::to_string(connection) + " is a " +
+      input->GetClassName() +
+      ", but vtkPolyData is required. Connect it through "
+      "vtkCompositeDataGeometryFilter, which appends the surfaces of its blocks.");
+  }
+  return vtkPolyData::SafeDownCast(input);
+}
+}
 
 vtkStandardNewMacro(vtkLambentRayTracer);
 vtkCxxSetObjectMacro(vtkLambentRayTracer, Camera, vtkCamera);
@@ -67,7 +87,7 @@ void vtkLambentRayTracer::ResetCamera()
       int port = 0;
       vtkAlgorithm* producer = this->GetInputAlgorithm(0, connection, port);
       producer->Update(port);
-      if (auto* input = vtkPolyData::SafeDownCast(producer->GetOutputDataObject(port)))
+      if (auto* input = polyDataOf(producer->GetOutputDataObject(port), connection))
       {
         inputs.push_back(input);
         appearances.push_back(appearanceFromVTK(nullptr));
@@ -187,6 +207,9 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
 int vtkLambentRayTracer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // Otherwise the executive would make a composite data set of pictures, one per block.
+  // DescribeScene() refuses it.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
@@ -211,7 +234,8 @@ void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSett
 {
   for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
-    scene.inputs.push_back({ vtkPolyData::GetData(inputs[0], k), this->GetInputProperty(k) });
+    scene.inputs.push_back(
+      { polyDataOf(vtkDataObject::GetData(inputs[0], k), k), this->GetInputProperty(k) });
   }
   scene.camera = this->Camera;
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))

@@ -31,21 +31,22 @@
  * No tree is built, and nothing is kept from one image to the next.
  *
  * Inputs: port 0 takes any number of connections, each a vtkPolyData. Together they form
- * one scene. Polygons with any number of points and triangle strips are rendered; vertices
- * and lines are not. Smooth shading uses an input's point normals
- * (vtkPointData::GetNormals(), 3 components, any floating-point type), flat shading its
- * cell normals (vtkCellData::GetNormals()). Smooth inputs without point normals get
- * computed ones that keep sharp edges sharp (Splitting, FeatureAngle). Inputs are never
- * modified.
+ * one scene. Composite data must pass through vtkCompositeDataGeometryFilter first. Polygons
+ * with any number of points and triangle strips are rendered; vertices and lines are not.
+ * Smooth shading uses an input's point normals (vtkPointData::GetNormals(), 3 components),
+ * flat shading its cell normals (vtkCellData::GetNormals()). Normals may have any numeric
+ * type; all but float and double are converted to double. Smooth inputs without point
+ * normals get computed ones that keep sharp edges sharp (Splitting, FeatureAngle). Inputs
+ * are never modified.
  *
  * See vtkLambentAlgorithm for the output and for image size, background and the other
  * settings that do not depend on where the scene comes from.
  *
- * Bad input: errors are a polygon or strip that uses a point that does not exist, normals
- * of the wrong length or type, an image size below 1 or too large for the memory, a view
- * angle outside (0, 180) degrees, a view-up parallel to the view direction, and settings
- * that are not finite. They name the cause and the remedy, and the output is empty. Cells
- * with points that are not finite are skipped, with one warning. Without any triangles the
+ * Bad input: errors are a composite input, a polygon or strip that uses a point that does
+ * not exist, normals of the wrong length, an image size below 1 or too large for the
+ * memory, a view angle outside (0, 180) degrees, a view-up parallel to the view direction,
+ * and settings that are not finite. They name the cause and the remedy, and the output is empty.
+ * Cells with points that are not finite are skipped, with one warning. Without any triangles the
  * image shows the background.
  *
  * @warning

@@ -36,41 +36,41 @@ struct AttributeSpan
 
   explicit operator bool() const { return this->data != nullptr; }
 
+  /// Returns body(values), where the values have their own type.
+  template <typename Body>
+  auto visit(const Body& body) const
+  {
+    switch (this->type)
+    {
+      case AttributeType::Int8:
+        return body(static_cast<const std::int8_t*>(this->data));
+      case AttributeType::UInt8:
+        return body(static_cast<const std::uint8_t*>(this->data));
+      case AttributeType::Int16:
+        return body(static_cast<const std::int16_t*>(this->data));
+      case AttributeType::UInt16:
+        return body(static_cast<const std::uint16_t*>(this->data));
+      case AttributeType::Int32:
+        return body(static_cast<const std::int32_t*>(this->data));
+      case AttributeType::UInt32:
+        return body(static_cast<const std::uint32_t*>(this->data));
+      case AttributeType::Int64:
+        return body(static_cast<const std::int64_t*>(this->data));
+      case AttributeType::UInt64:
+        return body(static_cast<const std::uint64_t*>(this->data));
+      case AttributeType::Float:
+        return body(static_cast<const float*>(this->data));
+      case AttributeType::Double:
+        break;
+    }
+    return body(static_cast<const double*>(this->data));
+  }
+
   /// A component of a tuple; integers beyond 2^53 are rounded.
   double at(std::size_t tuple, int component) const
   {
     const std::size_t k = tuple * static_cast<std::size_t>(this->components) + component;
-    switch (this->type)
-    {
-      case AttributeType::Int8:
-        return this->value<std::int8_t>(k);
-      case AttributeType::UInt8:
-        return this->value<std::uint8_t>(k);
-      case AttributeType::Int16:
-        return this->value<std::int16_t>(k);
-      case AttributeType::UInt16:
-        return this->value<std::uint16_t>(k);
-      case AttributeType::Int32:
-        return this->value<std::int32_t>(k);
-      case AttributeType::UInt32:
-        return this->value<std::uint32_t>(k);
-      case AttributeType::Int64:
-        return this->value<std::int64_t>(k);
-      case AttributeType::UInt64:
-        return this->value<std::uint64_t>(k);
-      case AttributeType::Float:
-        return this->value<float>(k);
-      case AttributeType::Double:
-        break;
-    }
-    return this->value<double>(k);
-  }
-
-private:
-  template <typename Value>
-  double value(std::size_t k) const
-  {
-    return static_cast<double>(static_cast<const Value*>(this->data)[k]);
+    return this->visit([k](const auto* values) { return static_cast<double>(values[k]); });
   }
 };
 }

@@ -7,6 +7,8 @@
 
 namespace lambent
 {
+static_assert(SampleBatch::pieceSize == Film::mostPixels, "a piece is stored at a time");
+
 FilmColor Painting::sampleColor(
   const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const
 {
@@ -191,12 +193,8 @@ void Painting::fillMissed(SampleBatch& batch, int number) const
   const int first = number * SampleBatch::pieceSize, end = first + piece.width;
   for (int begin = first, next = 0; begin < end; begin = next)
   {
-    const std::int64_t run = batch.run[begin];
-    for (next = begin + 1; next < end && batch.run[next] == run;)
-    {
-      ++next;
-    }
-    if (batch.triangles[run] == noTriangle)
+    next = batch.endOfRun(begin, end);
+    if (batch.triangles[batch.run[begin]] == noTriangle)
     {
       double* const channels[3] = { batch.colors[0] + begin, batch.colors[1] + begin,
         batch.colors[2] + begin };

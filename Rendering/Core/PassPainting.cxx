@@ -11,6 +11,16 @@
 
 namespace lambent
 {
+namespace
+{
+/// An attribute of a surface, or nullptr.
+const AttributeSpan* attributeOf(const Surface& surface, std::size_t attribute)
+{
+  const bool isThere = attribute < surface.attributes.size() && surface.attributes[attribute];
+  return isThere ? &surface.attributes[attribute] : nullptr;
+}
+}
+
 void PassPainting::storeNothing(int i, int j, int count) const
 {
   for (const Pass& pass : this->Target.passes)
@@ -145,13 +155,46 @@ void PassPainting::store(
     this->store(pass, batch, piece, [&](int place, int k) { return values[k][place]; });
     return;
   }
-  this->store(pass, batch, piece,
-    [&](int place, int k)
+  this->storeAttribute(pass, batch, points, piece);
+}
+
+/// Stores a piece of an attribute. Looks up the surface, the corners and the type of the values
+/// once for each run.
+void PassPainting::storeAttribute(
+  const Pass& pass, const SampleBatch& batch, const PointBatch& points, int number) const
+{
+  const SamplePiece& piece = batch.pieces[number];
+  const int first = number * SampleBatch::pieceSize, end = first + piece.width;
+  for (int begin = first, next = 0; begin < end; begin = next)
+  {
+    next = batch.endOfRun(begin, end);
+    const std::int64_t run = batch.run[begin];
+    const std::size_t pixel = this->pixel(piece.i + begin - first, piece.j);
+    const std::uint32_t triangle = batch.triangles[run];
+    const AttributeSpan* const values =
+      triangle == noTriangle ? nullptr : attributeOf(*batch.parts[run]->surface, pass.attribute);
+    if (!values)
     {
-      const Vec3 weights(
-        points.weights[0][place], points.weights[1][place], points.weights[2][place]);
-      return this->Points.attribute(batch.triangles[batch.run[place]], weights, pass.attribute, k);
-    });
+      lambent::storeNothing(pass, pixel, next - begin);
+      continue;
+    }
+    const auto places = [&](const auto& valueOf)
+    {
+      atPixel(pass, pixel,
+        [&](auto* to)
+        {
+          using Value = std::remove_pointer_t<decltype(to)>;
+          for (int place = begin; place < next; ++place)
+          {
+            for (int k = 0; k < pass.components; ++k)
+            {
+              *to++ = canonical<Value>(valueOf(place, k));
+            }
+          }
+        });
+    };
+    this->Points.visitAttribute(*values, *batch.parts[run], triangle, points, places);
+  }
 }
 
 /// valueOf(place, component): the value at a sample that hits something.

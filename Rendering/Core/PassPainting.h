@@ -55,6 +55,8 @@ private:
   double value(const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const;
   void flush(PassMemory& memory) const;
   void store(const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const;
+  void storeAttribute(
+    const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const;
   template <typename ValueOf>
   void store(const Pass& pass, const SampleBatch& batch, int piece, const ValueOf& valueOf) const;
 

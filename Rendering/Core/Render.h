@@ -39,8 +39,9 @@ namespace lambent
 struct Settings
 {
   int tileShift = 5;        ///< tiles are 2^tileShift samples wide, adjusted to whole pixels
-  std::size_t chunk = 4096; ///< points or primitives that a worker takes at a time
-  std::size_t binPages = 128 * 1024; ///< pages of 1 kB to fill before tiles are processed
+  std::size_t chunk = 4096; ///< points or primitives that a worker takes at a time, at least 1
+  /// Pages of 1 kB to fill before tiles are processed, at least 1.
+  std::size_t binPages = 128 * 1024;
   /// A picture with several samples per pixel is rendered in bands of rows that have at most so
   /// many samples, but at least one row.
   std::size_t mostSamples = 32 * 1024 * 1024;

@@ -47,8 +47,8 @@ lambent::adapters::SceneSettings settingsOf(const FuzzSubject& subject)
     : lambent::AmbientModel::PerLight;
   result.twoSidedLighting = tracer->GetTwoSidedLighting() != 0;
   result.background = lambent::adapters::vec3FromVTK(tracer->GetBackground());
-  result.backgroundTop = lambent::adapters::vec3FromVTK(
-    tracer->GetGradientBackground() ? tracer->GetBackground2() : tracer->GetBackground());
+  result.background2 = lambent::adapters::vec3FromVTK(tracer->GetBackground2());
+  result.gradientBackground = tracer->GetGradientBackground() != 0;
   result.backgroundImage = tracer->GetBackgroundImage();
   result.outputAlpha = tracer->GetOutputAlpha() != 0;
   return result;

@@ -56,6 +56,7 @@ TILE_TASKS = "Rendering/Core/TileTasks.cxx"
 SCENE_MESH = "Rendering/Core/Scene/SceneMesh.cxx"
 IMAGE = "Rendering/Core/Film/Image.h"
 FILL_KERNEL = "Rendering/Core/Film/FillKernel.cxx"
+TRIANGLE_ATTRIBUTE = "Rendering/Core/SurfacePoints/TriangleAttribute.h"
 PASS_TABLE = "Rendering/Core/PassTable.h"
 PASS_STORE = "Rendering/Core/Film/PassStore.h"
 ATTRIBUTE = "Filters/Base/AttributeSpan.h"
@@ -250,11 +251,15 @@ MUTATIONS = [
      "cell attributes are looked up by the input's cell"),
     (TRIANGLE_POINTS, "hit.e1 / hit.sum, hit.e2 / hit.sum", "hit.e2 / hit.sum, hit.e1 / hit.sum",
      "each weight belongs to its corner"),
+    (TRIANGLE_ATTRIBUTE, "(weighted(a, 0) + weighted(b, 1)) + weighted(c, 2)",
+     "weighted(a, 0) + (weighted(b, 1) + weighted(c, 2))", "runs of attributes are summed in order"),
+    (TRIANGLE_ATTRIBUTE, "all + components * static_cast<std::size_t>(surface.cellOf(triangle))",
+     "all + components * triangle", "attributes of runs are looked up by the input's cell"),
     (VECTOR_POINTS, "hn::Div(hit.e1, hit.sum), hn::Div(hit.e2, hit.sum)",
      "hn::Div(hit.e2, hit.sum), hn::Div(hit.e1, hit.sum)", "each of the kernel's weights belongs to its corner"),
     (ATTRIBUTE, "static_cast<std::size_t>(this->components) + component;",
      "static_cast<std::size_t>(this->components);", "attributes have several components"),
-    (ATTRIBUTE, "return this->value<std::int8_t>(k);", "return this->value<std::uint8_t>(k);",
+    (ATTRIBUTE, "static_cast<const std::int8_t*>(this->data)", "static_cast<const std::uint8_t*>(this->data)",
      "signed bytes"),
     (PASSES, "for (int i = n / 2; i < window.width(); i += n)", "for (int i = 0; i < window.width(); i += n)",
      "passes show the middle sample"),

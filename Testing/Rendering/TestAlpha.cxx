@@ -206,3 +206,18 @@ TEST(Alpha, CausesAWarningIfThereIsABackground)
     EXPECT_TRUE(messages.errors().empty());
   }
 }
+
+// What has no effect cannot be wrong either.
+TEST(Alpha, IgnoresABackgroundThatCannotBeUsed)
+{
+  Studio studio(width, height);
+  setUp(studio, 1);
+  const Messages messages(studio.tracer);
+  studio.tracer->OutputAlphaOn();
+  vtkNew<vtkImageData> empty;
+  studio.tracer->SetBackgroundImage(empty);
+  studio.tracer->SetBackground(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  EXPECT_SAME_BITS(render(studio.tracer), transparent(1, VTK_FLOAT));
+  expectMessage(messages.warnings(), { "SetBackgroundImage()", "no effect", "OutputAlpha" });
+  EXPECT_TRUE(messages.errors().empty());
+}

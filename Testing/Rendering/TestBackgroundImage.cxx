@@ -33,7 +33,8 @@ Picture pictureOf(vtkImageData* image, int width, int height, int type)
   Studio studio(width, height);
   const Messages messages(studio.tracer);
   studio.tracer->SetInputData(Mesh::New());
-  studio.tracer->SetBackground(0.0, 0.5, 1.0);
+  const bool hasAlpha = image->GetNumberOfScalarComponents() % 2 == 0;
+  studio.tracer->SetBackground(0.0, hasAlpha ? 0.5 : 0.0, hasAlpha ? 1.0 : 0.0);
   studio.tracer->SetBackgroundImage(image);
   studio.tracer->SetOutputScalarType(type);
   const Picture picture = render(studio.tracer);

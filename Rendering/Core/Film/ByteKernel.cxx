@@ -36,7 +36,7 @@ void storeByte(V value, std::uint8_t* bytes)
 template <int ChannelCount>
 void store(const double* const* channels, int count, unsigned char* pixels)
 {
-  constexpr int size = 32;
+  constexpr int size = mostBytePixels;
   HWY_ALIGN std::uint8_t bytes[4][size];
   for (int i = 0; i < size; i += static_cast<int>(lanes))
   {

@@ -3,7 +3,6 @@
 #include "Film.h"
 
 #include "AverageKernel.h"
-#include "ByteKernel.h"
 #include "ImageContract.h"
 
 #include <algorithm>
@@ -13,8 +12,6 @@ namespace lambent
 {
 namespace
 {
-constexpr int mostPixels = 32; // that are stored at a time
-
 /// Writes a pixel `count` times.
 template <typename Channel>
 void repeat(const Channel* pixel, int channels, int count, Channel* out)

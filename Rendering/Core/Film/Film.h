@@ -15,6 +15,7 @@
 #define lambent_Film_h
 
 #include "Background.h"
+#include "ByteKernel.h"
 #include "Image.h"
 #include "Scene.h"
 #include "TileColors.h"
@@ -49,7 +50,9 @@ public:
 
   void storeBackground(const Window& pixels) const;
   void storeColor(int i, int j, const FilmColor& color) const;
-  /// Stores `count` pixels, at most 32, from (i, j) on. Each channel must hold 32 values.
+  /// Stores `count` pixels, at most mostPixels, from (i, j) on. Each channel must hold mostPixels
+  /// values.
+  static constexpr int mostPixels = mostBytePixels;
   void storeColors(int i, int j, int count, const double* const* channels) const;
   /// Stores the pixels of a window, whose samples begin in that row of `colors`.
   void storeAverages(const Window& pixels, const TileColors& colors, int row) const;

@@ -13,7 +13,6 @@
 #include "SceneMesh.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 
 namespace lambent
@@ -82,6 +81,17 @@ struct SampleBatch
     this->pieces[this->pieceCount++] = piece;
     this->runCount = last + 1;
     return true;
+  }
+
+  /// The end of the places from `begin` on, and before `end`, that belong to the same run.
+  int endOfRun(int begin, int end) const
+  {
+    int next = begin + 1;
+    while (next < end && this->run[next] == this->run[begin])
+    {
+      ++next;
+    }
+    return next;
   }
 
   void clear() { this->pieceCount = this->runCount = 0; }

@@ -11,6 +11,7 @@
 #ifndef lambent_SurfacePoints_h
 #define lambent_SurfacePoints_h
 
+#include "TriangleAttribute.h"
 #include "TrianglePoints.h"
 
 namespace lambent
@@ -35,6 +36,15 @@ public:
     std::uint32_t primitive, const Vec3& weights, std::size_t attribute, int component) const
   {
     return this->Triangles.attribute(primitive, weights, attribute, component);
+  }
+
+  /// Calls store(valueOf), where valueOf(place, k) is component k of an attribute at a place of the
+  /// batch. All places are on one primitive. The values are those of attribute().
+  template <typename Store>
+  void visitAttribute(const AttributeSpan& values, const SceneMesh::Part& part,
+    std::uint32_t primitive, const PointBatch& points, const Store& store) const
+  {
+    visitTriangleAttribute(values, part, primitive, points, store);
   }
 
   const SceneMesh& mesh() const { return this->Triangles.mesh().mesh(); }
