@@ -273,6 +273,20 @@ TEST(PassPainting, PartsEqualThoseOfTheWhole)
   }
 }
 
+// Colours as bytes and as floats, ids, and passes of both types.
+TEST(PassPainting, BandsEqualTheWhole)
+{
+  for (unsigned int seed = 0; seed < 30; ++seed)
+  {
+    const Subject subject(seed, 2 + static_cast<int>(seed % 3));
+    Settings settings;
+    settings.mostSamples = 1 + seed % 5 * 16 * subject.random.width; // a few rows of pixels
+    EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), settings) ==
+      makePicture(subject.random, subject.request, whole(subject.random), Settings()))
+      << "seed " << seed;
+  }
+}
+
 // If the bins fill up, tiles keep their hits from round to round. A round has at least a million
 // triangles, so the mesh is repeated to make it large.
 TEST(PassPainting, WorksInSeveralRounds)
