@@ -73,6 +73,21 @@ void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
   }
 }
 
+/// Does the same with a background colour that an image hides.
+void DropIdleBackground(Options& options, vtkImageData* image)
+{
+  const Triple black{ 0, 0, 0 };
+  if (image && image->GetNumberOfScalarComponents() % 2 == 1 && options.background != black)
+  {
+    options.background = black;
+    if (!options.quiet)
+    {
+      Say("warning: --background has no effect, because '" + options.backgroundImage +
+        "' has no alpha channel; omit one of them");
+    }
+  }
+}
+
 /// The size in the options, or else the baseline's.
 std::array<int, 2> SizeOf(const Options& options, VtkMessages& messages)
 {
@@ -179,6 +194,7 @@ bool Draw(Options options, VtkMessages& messages)
   if (!options.backgroundImage.empty())
   {
     background = ReadBackground(options.backgroundImage, messages, progress);
+    DropIdleBackground(options, background);
   }
   stopwatch.Lap("reading");
   const Drawing drawing = DrawPicture(options, meshes, background, messages, progress, stopwatch);

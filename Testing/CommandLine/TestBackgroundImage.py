@@ -226,6 +226,23 @@ class TestKinds(BackgroundTest):
         self.assertEqual((rows[4][4], rows[0][0]), ((255, 255, 255), (0, 0, 255)))
 
 
+class TestColours(BackgroundTest):
+
+    def test_a_colour_shows_only_through_an_image_with_alpha(self):
+        self.write("rgb.png", png([[(0, 0, 255)]]))
+        self.write("rgba.png", png_of([[(0, 0, 255, 0)]], 6))
+        view = ("-o", "x.pnm", "--background", "red", "--size", "9x9", "--camera-position", "0,0,5",
+                "--parallel-scale", "2")
+        self.succeed("square.obj", "--background-image", "rgba.png", *view)
+        self.assertEqual(read_pnm(self.read("x.pnm"))[0][0], (255, 0, 0))
+        done = self.run_command("square.obj", "--background-image", "rgb.png", *view)
+        self.assertEqual((done.returncode, done.stderr.decode()),
+                         (0, "lambent: warning: --background has no effect, because 'rgb.png' has no alpha channel; "
+                             "omit one of them\n"))
+        self.assertEqual(read_pnm(self.read("x.pnm"))[0][0], (0, 0, 255))
+        self.succeed("square.obj", "--background-image", "rgb.png", "--quiet", *view)
+
+
 class TestRefusing(BackgroundTest):
 
     def test_missing_and_empty_files_are_errors(self):
