@@ -54,7 +54,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
           std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
         this->FirstTriangles.push_back(triangles);
         triangles += this->Surfaces[k]->surface().triangleCount();
-        if (triangles >= noTriangle)
+        if (triangles >= noPrimitive)
         {
           throw std::runtime_error(
             "with it the scene has more than 4294967294 triangles, which is the maximum.");

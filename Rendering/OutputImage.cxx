@@ -140,7 +140,7 @@ void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
     for (vtkIdType k = begin; k < end; ++k)
     {
       cell[k] = input[k] = -1;
-      if (triangles[k] != noTriangle)
+      if (triangles[k] != noPrimitive)
       {
         const InputSurfaces::Place place = surfaces.find(triangles[k]);
         cell[k] = static_cast<vtkIdType>(place.cell);

@@ -13,7 +13,7 @@ FilmColor Painting::sampleColor(
   const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const
 {
   const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-  if (triangle == noTriangle)
+  if (triangle == noPrimitive)
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
@@ -194,7 +194,7 @@ void Painting::fillMissed(SampleBatch& batch, int number) const
   for (int begin = first, next = 0; begin < end; begin = next)
   {
     next = batch.endOfRun(begin, end);
-    if (batch.triangles[batch.run[begin]] == noTriangle)
+    if (batch.triangles[batch.run[begin]] == noPrimitive)
     {
       double* const channels[3] = { batch.colors[0] + begin, batch.colors[1] + begin,
         batch.colors[2] + begin };

@@ -65,7 +65,7 @@ void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t*
     {
       const int column = (window.i0 + i) / n, row = (window.j0 + j) / n;
       const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-      if (triangle == noTriangle)
+      if (triangle == noPrimitive)
       {
         this->storeNothing(column, row, 1);
         continue;
@@ -172,7 +172,7 @@ void PassPainting::storeAttribute(
     const std::size_t pixel = this->pixel(piece.i + begin - first, piece.j);
     const std::uint32_t triangle = batch.triangles[run];
     const AttributeSpan* const values =
-      triangle == noTriangle ? nullptr : attributeOf(*batch.parts[run]->surface, pass.attribute);
+      triangle == noPrimitive ? nullptr : attributeOf(*batch.parts[run]->surface, pass.attribute);
     if (!values)
     {
       lambent::storeNothing(pass, pixel, next - begin);

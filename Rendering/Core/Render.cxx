@@ -66,7 +66,7 @@ public:
     {
       goesOn = this->binPrimitives(next);
       report.defects = this->defects();
-      if (report.defects.wrongCorner != noTriangle)
+      if (report.defects.wrongCorner != noPrimitive)
       {
         report.outcome = Outcome::BadMesh;
         return report;

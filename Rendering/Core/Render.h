@@ -58,7 +58,7 @@ struct Settings
     {
       ++settings.tileShift;
     }
-    settings.chunk = noTriangle;
+    settings.chunk = noPrimitive;
     settings.culling = false;
     settings.kernels = false;
     return settings;
@@ -82,7 +82,7 @@ struct Report
 using Progress = std::function<bool(double)>;
 
 /// The camera must have no defect, the image at least one pixel, and the scene fewer than
-/// noTriangle primitives. If the image's part is empty, nothing is read or stored. Throws
+/// noPrimitive primitives. If the image's part is empty, nothing is read or stored. Throws
 /// std::bad_alloc.
 Report render(const Scene& scene, const Image& image, const Parallel& parallel = Parallel(),
   const Progress& progress = nullptr, const Settings& settings = Settings());

@@ -143,7 +143,7 @@ TEST(BackgroundImage, IsInterpolatedBetweenTheCentresOfItsPixels)
       for (int k = 0; k < n * n; ++k)
       {
         const int i = n * (pixel % random.width) + k % n, j = n * (pixel / random.width) + k / n;
-        isBackground &= triangles[static_cast<std::size_t>(j) * larger.width + i] == noTriangle;
+        isBackground &= triangles[static_cast<std::size_t>(j) * larger.width + i] == noPrimitive;
         const Vec3 sample =
           expectedSample(subject.image, random.scene, i, j, larger.width, larger.height);
         sum = k == 0 ? sample : sum + sample;

@@ -93,7 +93,7 @@ TEST(BruteForce, TestsEachTriangleAgainstEachRay)
     {
       for (int i = 0; i < random.width; ++i)
       {
-        std::uint32_t nearest = noTriangle, number = 0;
+        std::uint32_t nearest = noPrimitive, number = 0;
         double depth = std::numeric_limits<double>::infinity();
         for (const Surface& surface : random.scene.surfaces)
         {
@@ -116,10 +116,10 @@ TEST(BruteForce, TestsEachTriangleAgainstEachRay)
         }
         const Vec3 background = random.scene.background +
           (random.scene.backgroundTop - random.scene.background) * ((j + 0.5) / random.height);
-        const Vec3 expected = nearest == noTriangle
+        const Vec3 expected = nearest == noPrimitive
           ? background
           : light.color(points.at(nearest, frame.x(i), frame.y(j)));
-        hits += nearest != noTriangle;
+        hits += nearest != noPrimitive;
         ASSERT_EQ(picture.triangles[j * random.width + i], nearest) << describe(seed, random);
         for (int channel = 0; channel < 3; ++channel)
         {
@@ -240,7 +240,7 @@ TEST(BruteForce, EqualsAVeryWideImage)
     const Picture reference =
       makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     hits += random.width * random.height -
-      std::count(reference.triangles.begin(), reference.triangles.end(), noTriangle);
+      std::count(reference.triangles.begin(), reference.triangles.end(), noPrimitive);
     EXPECT_EQ(differences(reference, makePicture(random, whole(random), Settings())), 0u)
       << describe(seed, random);
   }

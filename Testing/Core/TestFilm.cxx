@@ -40,7 +40,7 @@ Sum addSamples(const RandomScene& larger, const std::vector<std::uint32_t>& tria
   {
     const int i = n * (pixel % columns) + k % n, j = n * (pixel / columns) + k / n;
     const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * larger.width + i];
-    const bool isHit = triangle != noTriangle;
+    const bool isHit = triangle != noPrimitive;
     const Vec3 color = isHit ? light.color(points.at(triangle, frame.x(i), frame.y(j))) : Vec3(0.0);
     sum.color = k == 0 ? color : sum.color + color;
     sum.hits += isHit;

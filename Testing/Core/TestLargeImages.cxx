@@ -105,7 +105,7 @@ TEST(LargeImages, PartsAtTheRightEdgeAreRendered)
     for (const bool hasKernels : { false, true })
     {
       std::vector<float> floats(3 * width * height);
-      std::vector<std::uint32_t> triangles(width * height, noTriangle);
+      std::vector<std::uint32_t> triangles(width * height, noPrimitive);
       Image image;
       image.width = largest / samples;
       image.height = height;

@@ -51,9 +51,9 @@ TEST(Needles, EndAtTheirTipsInEveryInstructionSet)
 
   const std::vector<std::uint32_t> expected =
     visibleTriangles(scene, side, Settings::bruteForce({ 0, side, 0, side }));
-  EXPECT_NE(expected[side * (side / 2) + side / 2], noTriangle); // all needles begin here
+  EXPECT_NE(expected[side * (side / 2) + side / 2], noPrimitive); // all needles begin here
   EXPECT_LT(std::count_if(expected.begin(), expected.end(),
-              [](std::uint32_t triangle) { return triangle != noTriangle; }),
+              [](std::uint32_t triangle) { return triangle != noPrimitive; }),
     10); // rays beyond the ends lie on the needles' lines
   onAllTargets([&]() { EXPECT_EQ(visibleTriangles(scene, side, Settings()), expected); });
 }

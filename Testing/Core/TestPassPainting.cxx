@@ -189,13 +189,13 @@ TEST(PassPainting, ShowsWhatTheMiddleSampleSees)
     {
       const int i = n * (pixel % random.width) + n / 2, j = n * (pixel / random.width) + n / 2;
       const std::uint32_t triangle = seen[static_cast<std::size_t>(j) * larger.width + i];
-      (triangle == noTriangle ? nothings : hits) += 1;
+      (triangle == noPrimitive ? nothings : hits) += 1;
       for (std::size_t k = 0; k < subject.request.passes.size(); ++k)
       {
         const Pass& pass = subject.request.passes[k];
         for (int component = 0; component < pass.components; ++component)
         {
-          const double expected = triangle == noTriangle
+          const double expected = triangle == noPrimitive
             ? std::numeric_limits<double>::quiet_NaN()
             : expectedValue(
                 subject, frame, Sighting(random, frame, triangle, i, j), pass, component);

@@ -45,7 +45,7 @@ void compare(const std::vector<Surface>& surfaces, const Parallel& parallel)
     {
       const SceneMesh::Part& part = mesh.partOf(primitive);
       ASSERT_EQ(part.surface, &surface) << primitive;
-      ASSERT_EQ(part.firstTriangle, primitive - k);
+      ASSERT_EQ(part.firstPrimitive, primitive - k);
       ASSERT_EQ(part.firstPoint, point) << primitive;
       ASSERT_EQ(part.appearance, appearance) << primitive;
     }

@@ -132,7 +132,7 @@ struct RowSamples
         if (sheets.random.below(3) == 0)
         {
           const int next = sheets.random.below(Sheets::count + 2);
-          triangle = next < Sheets::count ? static_cast<std::uint32_t>(next) : noTriangle;
+          triangle = next < Sheets::count ? static_cast<std::uint32_t>(next) : noPrimitive;
         }
       }
       this->batch.add({ begin, row, size, this->xs.data() + begin, this->y }, hits);
@@ -153,7 +153,7 @@ void expectColorsOf(const SurfacePoints& points, const LightModel& light, const 
     {
       continue;
     }
-    const Vec3 expected = triangle == noTriangle
+    const Vec3 expected = triangle == noPrimitive
       ? Vec3(untouched)
       : light.color(points.at(triangle, piece.xs[i], piece.y));
     for (int channel = 0; channel < 3; ++channel)

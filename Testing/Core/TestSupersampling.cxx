@@ -115,7 +115,7 @@ TEST(Supersampling, AveragesTheLargerPicture)
         const std::uint32_t triangle = seen[j * larger.width + i];
         const Vec3 background = random.scene.background +
           (random.scene.backgroundTop - random.scene.background) * ((j + 0.5) / larger.height);
-        const Vec3 color = triangle == noTriangle
+        const Vec3 color = triangle == noPrimitive
           ? background
           : light.color(points.at(triangle, frame.x(i), frame.y(j)));
         sum = k == 0 ? color : sum + color;

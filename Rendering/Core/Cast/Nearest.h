@@ -34,9 +34,9 @@ public:
   {
     this->Lows.assign(size, noNearness.low);
     this->Highs.assign(size, noNearness.high);
-    this->Primitives.assign(size, noTriangle);
+    this->Primitives.assign(size, noPrimitive);
     this->Depths.resize(size); // undefined where nothing is hit
-    this->DepthOwners.assign(size, noTriangle);
+    this->DepthOwners.assign(size, noPrimitive);
   }
 
   /// Ranges of nearness and primitives, by sample.
@@ -81,7 +81,7 @@ public:
     for (std::size_t sample = 0; sample < this->Primitives.size(); ++sample)
     {
       const std::uint32_t primitive = other.Primitives[sample];
-      if (primitive == noTriangle)
+      if (primitive == noPrimitive)
       {
         continue;
       }
@@ -124,7 +124,7 @@ private:
   /// Keeps the nearer hit by depth. The depth of the sample's hit must be known.
   void choose(std::size_t sample, std::uint32_t primitive, const Nearness& range, double depth)
   {
-    const double nearest = this->Primitives[sample] == noTriangle
+    const double nearest = this->Primitives[sample] == noPrimitive
       ? std::numeric_limits<double>::infinity()
       : this->Depths[sample];
     if (depth < nearest || (depth == nearest && primitive < this->Primitives[sample]))

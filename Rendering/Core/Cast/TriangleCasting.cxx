@@ -28,7 +28,7 @@ void TriangleCasting<Policy>::fetch(
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = *triangles[k].part;
-    const std::size_t first = 3 * (triangles[k].waiting->number - part.firstTriangle);
+    const std::size_t first = 3 * (triangles[k].waiting->number - part.firstPrimitive);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       corners[k][corner] = part.corners()[first + corner];

@@ -62,7 +62,7 @@ void Film::storeBackground(const Window& pixels) const
     const std::size_t first = this->pixel(pixels.i0, j);
     if (this->Target.triangles)
     {
-      std::fill_n(this->Target.triangles + first, pixels.width(), noTriangle);
+      std::fill_n(this->Target.triangles + first, pixels.width(), noPrimitive);
     }
     if (this->Behind.hasImage())
     {

@@ -38,7 +38,7 @@ struct Pass
 /**
  * The destination of an image or a part of it: rows from the bottom, three channels per pixel, as
  * bytes or floats (the other one is nullptr). If `triangles` is set, it receives the number of the
- * triangle that each pixel shows, as counted by SceneMesh, or noTriangle.
+ * triangle that each pixel shows, as counted by SceneMesh, or noPrimitive.
  *
  * With n samples along each axis, a pixel is the average of n x n pixels of the image of size n
  * width x n height. Its triangle and its passes are those of sample (n / 2, n / 2), rounded down.

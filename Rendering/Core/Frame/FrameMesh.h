@@ -50,7 +50,7 @@ public:
   FrameTriangle triangle(std::uint32_t number) const
   {
     const SceneMesh::Part& part = this->Mesh.partOf(number);
-    const std::size_t first = 3 * (number - part.firstTriangle);
+    const std::size_t first = 3 * (number - part.firstPrimitive);
     const auto corner = [&](std::size_t k)
     { return this->Frame.toFrame(part.points()[part.corners()[first + k]]); };
     return { corner(0), corner(1), corner(2), *part.appearance };

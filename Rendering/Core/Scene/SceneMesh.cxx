@@ -64,7 +64,7 @@ void SceneMesh::join(std::vector<Block>& blocks)
   }
   Part& end = this->Parts.back();
   end = Part();
-  end.firstTriangle = static_cast<std::uint32_t>(this->Primitives);
+  end.firstPrimitive = static_cast<std::uint32_t>(this->Primitives);
   end.firstPoint = this->Points;
   while (this->Primitives >> this->Shift > 2 * this->Parts.size())
   {
@@ -81,10 +81,10 @@ void SceneMesh::number(const Block& block)
   for (std::size_t k = block.begin; k < block.end; ++k)
   {
     Part& part = this->Parts[k];
-    part.firstTriangle += static_cast<std::uint32_t>(block.primitives);
+    part.firstPrimitive += static_cast<std::uint32_t>(block.primitives);
     part.firstPoint += block.points;
     part.appearance = part.appearance == block.first ? block.replacement : part.appearance;
-    const std::size_t first = part.firstTriangle, end = first + part.primitiveCount;
+    const std::size_t first = part.firstPrimitive, end = first + part.primitiveCount;
     for (std::size_t entry = (first + step - 1) / step; entry * step < end; ++entry)
     {
       this->FirstParts[entry] = static_cast<std::uint32_t>(k);

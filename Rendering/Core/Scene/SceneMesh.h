@@ -35,14 +35,14 @@ public:
     /// enough.
     const Appearance* appearance;
     std::size_t firstPoint;
-    std::uint32_t firstTriangle, primitiveCount;
+    std::uint32_t firstPrimitive, primitiveCount;
 
     Part() = default;
     Part(const Surface& s, const Appearance& a, std::size_t primitive, std::size_t point)
       : surface(&s)
       , appearance(&a)
       , firstPoint(point)
-      , firstTriangle(static_cast<std::uint32_t>(primitive))
+      , firstPrimitive(static_cast<std::uint32_t>(primitive))
       , primitiveCount(static_cast<std::uint32_t>(s.primitiveCount()))
       , Points(s.points.data)
       , Corners(s.corners.data)
@@ -71,7 +71,7 @@ public:
     /// Whether a primitive, counted over all surfaces, belongs to this part.
     bool holds(std::size_t primitive) const
     {
-      return primitive - this->firstTriangle < this->primitiveCount;
+      return primitive - this->firstPrimitive < this->primitiveCount;
     }
 
   private:
@@ -106,7 +106,7 @@ public:
     return *part;
   }
 
-  /// Prefetches what partOf() reads, for several primitives or noTriangle.
+  /// Prefetches what partOf() reads, for several primitives or noPrimitive.
   void prefetchPartsOf(const std::uint32_t* primitives, int count) const
   {
     if (this->Parts.size() <= 2)
@@ -115,7 +115,7 @@ public:
     }
     for (int k = 0; k < count; ++k)
     {
-      if (primitives[k] != noTriangle)
+      if (primitives[k] != noPrimitive)
       {
         hwy::Prefetch(&this->Parts[this->FirstParts[primitives[k] >> this->Shift]]);
       }
@@ -128,7 +128,7 @@ public:
   template <typename Body>
   void forPrimitives(std::size_t begin, std::size_t end, Body&& body) const
   {
-    this->forPieces(begin, end, &Part::firstTriangle, body);
+    this->forPieces(begin, end, &Part::firstPrimitive, body);
   }
   template <typename Body>
   void forPoints(std::size_t begin, std::size_t end, Body&& body) const

@@ -18,8 +18,8 @@
 
 namespace lambent
 {
-/// The number that means "no triangle". A scene must have fewer triangles than that.
-constexpr std::uint32_t noTriangle = 0xFFFFFFFFu;
+/// The number that means "no primitive". A scene must have fewer primitives than that.
+constexpr std::uint32_t noPrimitive = 0xFFFFFFFFu;
 
 enum class Shading
 {

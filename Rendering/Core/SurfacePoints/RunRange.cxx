@@ -40,7 +40,7 @@ bool RunRange::moveOn(const SceneMesh& mesh, SampleBatch& batch)
   for (this->firstRun = run; run < batch.runCount; ++run)
   {
     const std::uint32_t triangle = batch.triangles[run];
-    if (triangle == noTriangle)
+    if (triangle == noPrimitive)
     {
       continue;
     }

@@ -41,7 +41,7 @@ struct SampleBatch
   std::int64_t run[places]; ///< the run of each sample
 
   // One value per run.
-  std::uint32_t triangles[room]; ///< or noTriangle
+  std::uint32_t triangles[room]; ///< or noPrimitive
   const SceneMesh::Part* parts[room];
   double isWanted[room] = {};   ///< 1 where the kernel must shade the run, 0 elsewhere
   double points[9][room] = {};  ///< corners ax, ay, az, bx, ... in the world, then in the frame
@@ -51,7 +51,7 @@ struct SampleBatch
   double diffuse[3][places], ambient[3][places]; ///< SurfaceColor, if not the same in a whole range
   double colors[4][places] = {}; ///< red, green and blue, and alpha if the image has it
 
-  bool isHit(int place) const { return this->triangles[this->run[place]] != noTriangle; }
+  bool isHit(int place) const { return this->triangles[this->run[place]] != noPrimitive; }
   bool isFull() const { return this->pieceCount == mostPieces; }
 
   /// Adds a piece with the triangles that its rays hit. Returns false if they all hit nothing.
@@ -62,7 +62,7 @@ struct SampleBatch
     {
       differences |= hits[i] ^ hits[0];
     }
-    if (hits[0] == noTriangle && differences == 0)
+    if (hits[0] == noPrimitive && differences == 0)
     {
       return false;
     }

@@ -19,7 +19,7 @@ void visitTriangleAttribute(const AttributeSpan& values, const SceneMesh::Part& 
   std::uint32_t number, const PointBatch& points, const Store& store)
 {
   const Surface& surface = *part.surface;
-  const std::size_t triangle = number - part.firstTriangle;
+  const std::size_t triangle = number - part.firstPrimitive;
   const auto components = static_cast<std::size_t>(values.components);
   values.visit(
     [&](const auto* all)

@@ -12,7 +12,7 @@ SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
   Hit hit{};
   this->Mesh.triangle(number).isHit(x, y, hit);
   return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
-    this->normal(*part.surface, number - part.firstTriangle, hit),
+    this->normal(*part.surface, number - part.firstPrimitive, hit),
     { hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum }, colorOf(*part.appearance) };
 }
 
@@ -21,7 +21,7 @@ double TrianglePoints::attribute(
 {
   const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
   const Surface& surface = *part.surface;
-  const std::size_t triangle = number - part.firstTriangle;
+  const std::size_t triangle = number - part.firstPrimitive;
   if (attribute >= surface.attributes.size() || !surface.attributes[attribute])
   {
     return std::numeric_limits<double>::quiet_NaN();

@@ -16,10 +16,10 @@ namespace lambent
 struct MeshDefects
 {
   /// The first primitive with a corner whose point does not exist.
-  std::uint32_t wrongCorner = noTriangle;
+  std::uint32_t wrongCorner = noPrimitive;
   /// The number of cells with a point that is not finite, and the first primitive of such a cell.
   std::size_t notFinite = 0;
-  std::uint32_t firstNotFinite = noTriangle;
+  std::uint32_t firstNotFinite = noPrimitive;
 
   void merge(const MeshDefects& other)
   {

@@ -112,7 +112,7 @@ TriangleBinning::BoxedPartView TriangleBinning::viewOf(const BoxedPart& boxed) c
 {
   const SceneMesh::Part& part = *boxed.part;
   return { &part, part.points(),
-    static_cast<std::uint32_t>(part.firstTriangle + boxed.begin - boxed.first), boxed.offset,
+    static_cast<std::uint32_t>(part.firstPrimitive + boxed.begin - boxed.first), boxed.offset,
     part.isCulling() };
 }
 
@@ -177,7 +177,7 @@ void TriangleBinning::binUnplaced(TriangleBinningMemory& memory, BinningResult& 
 {
   this->forPlaces<false>(memory.boxes.unplacedTriangles, memory.boxes.unplaced, memory,
     [&](std::uint32_t place, const BoxedPartView& view)
-    { this->binPlainly(*view.part, view.first + place - view.part->firstTriangle, result); });
+    { this->binPlainly(*view.part, view.first + place - view.part->firstPrimitive, result); });
 }
 
 /// Inserts a triangle that is not small, or whose box is not exact.
@@ -207,7 +207,7 @@ void TriangleBinning::binPlainly(
   MeshDefects& defects = result.defects;
   const Surface& surface = *part.surface;
   const LatticePosition* positions = this->Positions + part.firstPoint;
-  const auto triangle = static_cast<std::uint32_t>(part.firstTriangle + t);
+  const auto triangle = static_cast<std::uint32_t>(part.firstPrimitive + t);
   const std::uint64_t corners[3] = { surface.corners[3 * t], surface.corners[3 * t + 1],
     surface.corners[3 * t + 2] };
   if (std::max(corners[0], std::max(corners[1], corners[2])) >= surface.points.size)
