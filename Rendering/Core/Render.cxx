@@ -53,7 +53,7 @@ public:
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
-      this->Filled.push_back(std::make_unique<BinningMemory>(this->Grid));
+      this->Filled.push_back(std::make_unique<BinningMemory>(this->Grid, parallel.workers()));
       this->FilledBins.push_back(&this->Filled.back()->result.bins);
     }
   }

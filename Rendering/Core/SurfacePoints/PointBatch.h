@@ -14,7 +14,7 @@ namespace lambent
 /// One value for each place of a SampleBatch. Undefined where a sample hits nothing.
 struct PointBatch
 {
-  double depth[SampleBatch::places];
+  alignas(64) double depth[SampleBatch::places];
   double normal[3][SampleBatch::places];   ///< of length 1
   double position[3][SampleBatch::places]; ///< in the world
   double weights[3][SampleBatch::places];

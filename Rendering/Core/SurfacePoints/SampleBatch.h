@@ -38,18 +38,24 @@ struct SampleBatch
   int pieceCount = 0;
   int runCount = 0;
   SamplePiece pieces[mostPieces];
-  std::int64_t run[places]; ///< the run of each sample
+  alignas(64) std::int64_t run[places]; ///< the run of each sample
 
   // One value per run.
   std::uint32_t triangles[room]; ///< or noPrimitive
   const SceneMesh::Part* parts[room];
-  double isWanted[room] = {};   ///< 1 where the kernel must shade the run, 0 elsewhere
-  double points[9][room] = {};  ///< corners ax, ay, az, bx, ... in the world, then in the frame
-  double normals[9][room] = {}; ///< at a, b, c, or one of the face
+  /// 1 where the kernel must shade the run, 0 elsewhere.
+  alignas(64) double isWanted[room] = {};
+  /// Corners ax, ay, az, bx, ... in the world, then in the frame.
+  alignas(64) double points[9][room] = {};
+  /// At a, b and c, or one of the face.
+  alignas(64) double normals[9][room] = {};
 
   // One value per sample.
-  double diffuse[3][places], ambient[3][places]; ///< SurfaceColor, if not the same in a whole range
-  double colors[4][places] = {}; ///< red, green and blue, and alpha if the image has it
+  /// SurfaceColor, if a range has several.
+  alignas(64) double diffuse[3][places];
+  alignas(64) double ambient[3][places];
+  /// Red, green and blue, and alpha if the image has it.
+  alignas(64) double colors[4][places] = {};
 
   bool isHit(int place) const { return this->triangles[this->run[place]] != noPrimitive; }
   bool isFull() const { return this->pieceCount == mostPieces; }

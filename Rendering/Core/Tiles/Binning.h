@@ -18,8 +18,8 @@ namespace lambent
 /// A worker's results and scratch memory.
 struct BinningMemory
 {
-  explicit BinningMemory(const TileGrid& grid)
-    : result(grid)
+  BinningMemory(const TileGrid& grid, int workers)
+    : result(grid, workers)
   {
   }
 

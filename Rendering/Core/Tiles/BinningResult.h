@@ -31,12 +31,18 @@ struct MeshDefects
 
 struct BinningResult
 {
-  explicit BinningResult(const TileGrid& grid)
+  /// workers: how many share the primitives.
+  BinningResult(const TileGrid& grid, int workers)
     : bins(grid)
+    , shallowArea(
+        2 * static_cast<std::int64_t>(grid.whole().width()) * grid.whole().height() / workers)
   {
   }
 
   Bins bins;
+  /// Bounds on nearness cost time, and are useful only in a scene of many layers. So they are not
+  /// computed before boxes with this total area have been binned, in samples: two layers.
+  std::int64_t shallowArea;
   MeshDefects defects;
 };
 }

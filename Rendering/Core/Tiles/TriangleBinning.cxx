@@ -185,6 +185,17 @@ void TriangleBinning::insert(std::uint32_t place, const BoxedPartView& view,
   const TriangleBinningMemory& memory, BinningResult& result) const
 {
   const LatticeBoxes& boxes = memory.boxes;
+  const Window box = this->Lattice.samplesFrom(boxes.first[place], boxes.end[place]);
+  result.shallowArea -= static_cast<std::int64_t>(box.width()) * box.height();
+  result.bins.insert(view.first + place, box,
+    this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
+    result.shallowArea < 0 ? this->nearnessBound(place, view, boxes) : anyNearness);
+}
+
+/// At least the nearness of all hits of a triangle.
+float TriangleBinning::nearnessBound(
+  std::uint32_t place, const BoxedPartView& view, const LatticeBoxes& boxes) const
+{
   double nearest = std::numeric_limits<double>::infinity();
   bool isBound = true; // pixels are larger than smallestPixel, or the points would have no place
   for (std::size_t corner = 0; corner < 3; ++corner)
@@ -194,10 +205,7 @@ void TriangleBinning::insert(std::uint32_t place, const BoxedPartView& view,
     nearest = std::min(nearest, p.z);
     isBound = isBound && isZeroOrOrdinary(p.x) && isZeroOrOrdinary(p.y);
   }
-  result.bins.insert(view.first + place,
-    this->Lattice.samplesFrom(boxes.first[place], boxes.end[place]),
-    this->Lattice.shift() == 0 && boxes.isInexact[place] == 0,
-    isBound ? nearnessOf(nearest, this->Frame.parallel).high : anyNearness);
+  return isBound ? nearnessOf(nearest, this->Frame.parallel).high : anyNearness;
 }
 
 void TriangleBinning::binPlainly(

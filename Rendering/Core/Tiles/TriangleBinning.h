@@ -82,6 +82,8 @@ private:
   void binPlainly(const SceneMesh::Part& part, std::size_t triangle, BinningResult& result) const;
   void insert(std::uint32_t place, const BoxedPartView& view, const TriangleBinningMemory& memory,
     BinningResult& result) const;
+  float nearnessBound(
+    std::uint32_t place, const BoxedPartView& view, const LatticeBoxes& boxes) const;
   bool isBehindEye(const TupleSpan& points, const std::uint64_t corners[3]) const;
 
   const CameraFrame& Frame;
