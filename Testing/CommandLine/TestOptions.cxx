@@ -120,7 +120,7 @@ TEST(Options, RepeatedOptionsAreReportedClearly)
 
 TEST(Messages, PipelineRequestsAreOmitted)
 {
-  for (const std::string& address : { "(0x55d0c8a3)", " (0x55d0c8a3)" })
+  for (const std::string address : { "(0x55d0c8a3)", " (0x55d0c8a3)" })
   {
     EXPECT_EQ(
       OneLine("ERROR: In vtkExecutive.cxx, line 752\nvtkCompositeDataPipeline (0x55d0c8a4): "
