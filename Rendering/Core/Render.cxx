@@ -17,10 +17,15 @@ constexpr double binningShare = 0.3;
 /// The largest number of points or primitives processed between two progress reports.
 constexpr std::size_t mostItems = 1024 * 1024;
 
-/// Tiles hold whole pixels.
-int tileSize(const Settings& settings, int samples)
+/// Tiles hold whole pixels. With several samples per pixel, larger tiles are faster, unless there
+/// are two or three and the primitives are small.
+int tileSize(const Settings& settings, const Image& image, std::size_t primitives)
 {
-  return std::max(1, (1 << settings.tileShift) / samples) * samples;
+  const int n = image.samples;
+  const std::size_t samples = static_cast<std::size_t>(image.width) * image.height * n * n;
+  const bool isLarge = n >= 4 || (n > 1 && samples / 256 > primitives);
+  const int size = 1 << (settings.tileShift + (isLarge ? 1 : 0));
+  return std::max(1, size / n) * n;
 }
 
 class Picture
@@ -36,7 +41,8 @@ public:
     , Frame(scene.camera, image.width * image.samples, image.height * image.samples)
     , Lattice(this->Frame, this->Samples)
     , Positions(new LatticePosition[this->Mesh.pointCount()])
-    , Grid(this->Samples.width(), this->Samples.height(), tileSize(settings, image.samples))
+    , Grid(this->Samples.width(), this->Samples.height(),
+        tileSize(settings, image, this->Mesh.primitiveCount()))
     , InFrame(this->Mesh, this->Frame)
     , Binner(this->InFrame, this->Lattice, this->Positions.get(), this->Grid, this->Samples,
         settings.culling, settings.kernels)
