@@ -10,7 +10,6 @@
 #include "vtkImageAppend.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkSuperquadricSource.h"
 #include "vtkTrivialProducer.h"
 
 #include <cmath>
@@ -70,18 +69,12 @@ vtkSmartPointer<vtkTrivialProducer> LayOver(Background background, vtkImageData*
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkSuperquadricSource> ring;
-  ring->ToroidalOn();
-  ring->SetThetaResolution(64);
-  ring->SetPhiResolution(32);
-  ring->SetSize(1.25);
-  ring->SetThickness(0.25);
   const auto property = gallery::Surface(0.95, 0.75, 0.65);
   property->SetDiffuse(0.7);
   property->SetAmbient(0.3);
 
   vtkNew<vtkLambentRayTracer> tracer;
-  gallery::AddSurface(tracer, gallery::OnGrid(ring), property);
+  gallery::AddSurface(tracer, gallery::Ring(), property);
   gallery::AddLight(tracer, -2, 3, 3);
   gallery::LookFrom(tracer, 1, 2, 5, 240, 240);
   tracer->SetBackground(0, 0, 0); // undo LookFrom(): a picture with alpha has no background

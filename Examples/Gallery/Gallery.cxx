@@ -13,6 +13,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSphereSource.h"
+#include "vtkSuperquadricSource.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -56,6 +57,17 @@ vtkSmartPointer<vtkPolyData> Sphere(double x, double y, int resolution)
   source->SetThetaResolution(resolution);
   source->SetPhiResolution(resolution / 2 + 1);
   source->SetCenter(x, y, 0);
+  return OnGrid(source);
+}
+
+vtkSmartPointer<vtkPolyData> Ring()
+{
+  vtkNew<vtkSuperquadricSource> source;
+  source->ToroidalOn();
+  source->SetThetaResolution(64);
+  source->SetPhiResolution(32);
+  source->SetSize(1.25);
+  source->SetThickness(0.25);
   return OnGrid(source);
 }
 

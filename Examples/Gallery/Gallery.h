@@ -38,6 +38,9 @@ vtkSmartPointer<vtkPolyData> OnGrid(vtkPolyDataAlgorithm* source);
 /// A unit sphere about (x, y, 0) with point normals.
 vtkSmartPointer<vtkPolyData> Sphere(double x, double y = 0, int resolution = 48);
 
+/// A ring about the y axis, 2.5 wide.
+vtkSmartPointer<vtkPolyData> Ring();
+
 /// A property with diffuse reflection 1, ambient reflection 0 and this colour.
 vtkSmartPointer<vtkProperty> Surface(double red, double green, double blue);
 

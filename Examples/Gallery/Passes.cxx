@@ -11,7 +11,6 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSuperquadricSource.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
@@ -45,13 +44,6 @@ vtkSmartPointer<vtkTrivialProducer> Show(vtkImageData* picture, Color color)
 
 int main(int argc, char* argv[])
 {
-  vtkNew<vtkSuperquadricSource> ring;
-  ring->ToroidalOn();
-  ring->SetThetaResolution(64);
-  ring->SetPhiResolution(32);
-  ring->SetSize(1.25);
-  ring->SetThickness(0.25);
-
   vtkNew<vtkLambentRayTracer> tracer;
   const auto orange = gallery::Surface(1, 0.7, 0.3);
   const auto blue = gallery::Surface(0.5, 0.8, 1);
@@ -60,7 +52,7 @@ int main(int argc, char* argv[])
     property->SetDiffuse(0.85);
     property->SetAmbient(0.15);
   }
-  gallery::AddSurface(tracer, gallery::OnGrid(ring), orange);
+  gallery::AddSurface(tracer, gallery::Ring(), orange);
   gallery::AddSurface(tracer, gallery::Sphere(0), blue);
   gallery::AddLight(tracer, 1, 3, 3);
   gallery::LookFrom(tracer, 2, 2.5, 5, 240, 240);

@@ -11,16 +11,6 @@
 
 namespace lambent
 {
-namespace
-{
-/// An attribute of a surface, or nullptr.
-const AttributeSpan* attributeOf(const Surface& surface, std::size_t attribute)
-{
-  const bool isThere = attribute < surface.attributes.size() && surface.attributes[attribute];
-  return isThere ? &surface.attributes[attribute] : nullptr;
-}
-}
-
 void PassPainting::storeNothing(int i, int j, int count) const
 {
   for (const Pass& pass : this->Target.passes)
@@ -172,7 +162,7 @@ void PassPainting::storeAttribute(
     const std::size_t pixel = this->pixel(piece.i + begin - first, piece.j);
     const std::uint32_t triangle = batch.triangles[run];
     const AttributeSpan* const values =
-      triangle == noPrimitive ? nullptr : attributeOf(*batch.parts[run]->surface, pass.attribute);
+      triangle == noPrimitive ? nullptr : batch.parts[run]->surface->attribute(pass.attribute);
     if (!values)
     {
       lambent::storeNothing(pass, pixel, next - begin);

@@ -155,4 +155,15 @@ inline FilmPicture cut(
   return result;
 }
 
+/// Renders a part alone, and cuts it out of the whole picture.
+inline void expectPartEqualToTheWhole(
+  const RandomScene& random, const FilmRequest& request, unsigned int seed)
+{
+  const lambent::Window part{ random.width / 3, random.width, random.height / 2, random.height };
+  EXPECT_TRUE(makePicture(random, request, part, lambent::Settings()) ==
+    cut(makePicture(random, request, whole(random), lambent::Settings()), request, random.width,
+      part))
+    << "seed " << seed;
+}
+
 #endif

@@ -138,10 +138,7 @@ TEST(Film, PartsWithAlphaEqualThoseOfTheWhole)
   {
     const RandomScene random = makeSmallScene(seed);
     const FilmRequest request = withAlpha(1 + static_cast<int>(seed % 4), seed / 4 % 2 == 0);
-    const Window part{ random.width / 3, random.width, random.height / 2, random.height };
-    EXPECT_TRUE(makePicture(random, request, part, Settings()) ==
-      cut(makePicture(random, request, whole(random), Settings()), request, random.width, part))
-      << "seed " << seed;
+    expectPartEqualToTheWhole(random, request, seed);
   }
 }
 

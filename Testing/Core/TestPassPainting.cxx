@@ -264,12 +264,7 @@ TEST(PassPainting, PartsEqualThoseOfTheWhole)
   for (unsigned int seed = 200; seed < 240; ++seed)
   {
     const Subject subject(seed, 1 + static_cast<int>(seed % 4));
-    const RandomScene& random = subject.random;
-    const Window part{ random.width / 3, random.width, random.height / 2, random.height };
-    EXPECT_TRUE(makePicture(random, subject.request, part, Settings()) ==
-      cut(makePicture(random, subject.request, whole(random), Settings()), subject.request,
-        random.width, part))
-      << "seed " << seed;
+    expectPartEqualToTheWhole(subject.random, subject.request, seed);
   }
 }
 

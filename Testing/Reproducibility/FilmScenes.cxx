@@ -7,24 +7,15 @@ using lambent::AttributeType;
 
 namespace
 {
-/// A ball in front of a box of another colour.
-void still(Stage& s, int samples)
-{
-  s.samples = samples;
-  s.daylight();
-  s.add(ball(3)).round();
-  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
-}
-
 void transparent(Stage& s, int samples)
 {
   s.hasAlpha = true;
-  still(s, samples);
+  ballAndBox(s, samples);
 }
 
 void before(Stage& s, int samples, int width, int height, int components, AttributeType type)
 {
-  still(s, samples);
+  ballAndBox(s, samples);
   s.imageBehind(width, height, components, type);
   s.scene.background = { 0.1, 0.2, 0.3 };
   s.scene.backgroundTop = { 0.7, 0.5, 0.2 };

@@ -5,13 +5,10 @@
 
 namespace
 {
-/// A ball in front of a box of another colour, on a gradient.
+/// On a gradient.
 void still(Stage& s, int samples)
 {
-  s.samples = samples;
-  s.daylight();
-  s.add(ball(3)).round();
-  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
+  ballAndBox(s, samples);
   s.scene.background = { 0.1, 0.2, 0.3 };
   s.scene.backgroundTop = { 0.7, 0.5, 0.2 };
 }

@@ -12,3 +12,11 @@ SceneList allScenes()
   }
   return all;
 }
+
+void ballAndBox(Stage& s, int samples)
+{
+  s.samples = samples;
+  s.daylight();
+  s.add(ball(3)).round();
+  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
+}

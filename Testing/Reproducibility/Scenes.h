@@ -35,4 +35,7 @@ SceneList hostileScenes();
 /// All scenes of these lists.
 SceneList allScenes();
 
+/// Adds daylight, and a ball in front of a box of another colour.
+void ballAndBox(Stage& s, int samples);
+
 #endif

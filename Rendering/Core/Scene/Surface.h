@@ -90,6 +90,12 @@ struct Surface
   {
     return this->normalNumbers.data ? this->normalNumbers : this->corners;
   }
+  /// An attribute by its index, or nullptr if the surface does not have it.
+  const AttributeSpan* attribute(std::size_t index) const
+  {
+    const bool isThere = index < this->attributes.size() && this->attributes[index];
+    return isThere ? &this->attributes[index] : nullptr;
+  }
   std::size_t triangleCount() const { return this->corners.size / 3; }
   /// The number of primitives of the surface, which are triangles.
   std::size_t primitiveCount() const { return this->triangleCount(); }

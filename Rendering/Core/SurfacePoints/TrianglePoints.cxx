@@ -22,11 +22,12 @@ double TrianglePoints::attribute(
   const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
   const Surface& surface = *part.surface;
   const std::size_t triangle = number - part.firstPrimitive;
-  if (attribute >= surface.attributes.size() || !surface.attributes[attribute])
+  const AttributeSpan* const found = surface.attribute(attribute);
+  if (!found)
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const AttributeSpan& values = surface.attributes[attribute];
+  const AttributeSpan& values = *found;
   if (values.isPerCell)
   {
     return values.at(static_cast<std::size_t>(surface.cellOf(triangle)), component);
