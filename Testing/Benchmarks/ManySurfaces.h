@@ -22,9 +22,9 @@ public:
 
   /// Seconds of the filter with an input connection for each piece.
   double renderInputs();
-  /// The seconds that VTK's executive takes for the same connections and a filter that does
-  /// nothing.
-  double passInputs();
+  /// Seconds of a filter that has the same connections but draws the pieces by the core alone. The
+  /// difference to renderMany() is what VTK's executive takes.
+  double renderBlindly();
   /// Seconds of the core with one surface, and with one for each piece.
   double renderOne() { return this->render(this->One); }
   double renderMany() { return this->render(this->Many); }
@@ -34,8 +34,8 @@ private:
   double render(const lambent::Scene& scene);
 
   int Width, Height;
-  vtkNew<vtkLambentRayTracer> Filter;      ///< its inputs are the pieces
-  vtkSmartPointer<vtkImageAlgorithm> Idle; ///< its inputs are the pieces
+  vtkNew<vtkLambentRayTracer> Filter;       ///< its inputs are the pieces
+  vtkSmartPointer<vtkImageAlgorithm> Blind; ///< its inputs are the pieces
   vtkSmartPointer<vtkPolyData> Mesh;
   std::vector<vtkIdType> Corners; ///< of a piece
   lambent::Scene One, Many;

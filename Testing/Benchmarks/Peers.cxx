@@ -94,7 +94,7 @@ void Peers::addSurfaces(std::vector<Contest>& contests)
       { std::string("surfaces/") + name, [this, run]() { return (this->surfaces().*run)(); } });
   };
   add("inputs", &ManySurfaces::renderInputs);
-  add("executive", &ManySurfaces::passInputs);
+  add("blind", &ManySurfaces::renderBlindly);
   add("one", &ManySurfaces::renderOne);
   add("many", &ManySurfaces::renderMany);
 }
