@@ -44,7 +44,7 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
   : Inputs(inputs)
 {
   InputShares shares(inputs, parallel);
-  std::size_t triangles = 0;
+  std::size_t primitives = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
     forInput(k,
@@ -52,9 +52,9 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       {
         this->Surfaces.push_back(
           std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
-        this->FirstTriangles.push_back(triangles);
-        triangles += this->Surfaces[k]->surface().triangleCount();
-        if (triangles >= noPrimitive)
+        this->FirstPrimitives.push_back(primitives);
+        primitives += this->Surfaces[k]->surface().primitiveCount();
+        if (primitives >= noPrimitive)
         {
           throw std::runtime_error(
             "with it the scene has more than 4294967294 triangles, which is the maximum.");
@@ -181,12 +181,13 @@ std::vector<Surface> InputSurfaces::surfaces() const
   return result;
 }
 
-InputSurfaces::Place InputSurfaces::find(std::size_t triangle) const
+InputSurfaces::Place InputSurfaces::find(std::size_t primitive) const
 {
   const auto after =
-    std::upper_bound(this->FirstTriangles.begin(), this->FirstTriangles.end(), triangle);
-  const auto input = static_cast<std::size_t>(after - this->FirstTriangles.begin()) - 1;
-  return { input, this->Surfaces[input]->surface().cellOf(triangle - this->FirstTriangles[input]) };
+    std::upper_bound(this->FirstPrimitives.begin(), this->FirstPrimitives.end(), primitive);
+  const auto input = static_cast<std::size_t>(after - this->FirstPrimitives.begin()) - 1;
+  return { input,
+    this->Surfaces[input]->surface().cellOf(primitive - this->FirstPrimitives[input]) };
 }
 
 std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const

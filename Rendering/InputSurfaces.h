@@ -41,13 +41,13 @@ public:
   };
   ArrayForm formOf(std::size_t attribute) const;
 
-  /// The input and the cell that a triangle belongs to; triangles are counted over all inputs.
+  /// The input and the cell that a primitive belongs to; primitives are counted over all inputs.
   struct Place
   {
     std::size_t input;
     std::int64_t cell;
   };
-  Place find(std::size_t triangle) const;
+  Place find(std::size_t primitive) const;
 
   std::vector<Surface> surfaces() const;
 
@@ -62,7 +62,7 @@ private:
 
   std::vector<vtkPolyData*> Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
-  std::vector<std::size_t> FirstTriangles; ///< of each input, counted over all inputs
+  std::vector<std::size_t> FirstPrimitives; ///< of each input, counted over all inputs
   bool HasComputedNormals = false;
 };
 }

@@ -127,7 +127,7 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
   return image;
 }
 
-void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
+void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces,
   const WatchedParallel& parallel, vtkImageData* output)
 {
   const vtkIdType pixels = output->GetNumberOfPoints();
@@ -140,9 +140,9 @@ void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
     for (vtkIdType k = begin; k < end; ++k)
     {
       cell[k] = input[k] = -1;
-      if (triangles[k] != noPrimitive)
+      if (primitives[k] != noPrimitive)
       {
-        const InputSurfaces::Place place = surfaces.find(triangles[k]);
+        const InputSurfaces::Place place = surfaces.find(primitives[k]);
         cell[k] = static_cast<vtkIdType>(place.cell);
         input[k] = static_cast<vtkIdType>(place.input);
       }

@@ -37,9 +37,9 @@ struct OutputSettings
 Image allocateImage(const OutputSettings& settings, const InputSurfaces& surfaces,
   vtkInformation* outInfo, vtkImageData* output);
 
-/// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the triangle
+/// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the primitive
 /// that each pixel shows. Throws Aborted if the filter should stop.
-void addIds(const std::uint32_t* triangles, const InputSurfaces& surfaces,
+void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces,
   const WatchedParallel& parallel, vtkImageData* output);
 }
 

@@ -272,13 +272,13 @@ void vtkLambentAlgorithm::MakePicture(
   this->SetProgressText("rendering");
   lambent::Image image =
     allocateImage(this->DescribeOutput(), description.surfaces(), outInfo, output);
-  std::unique_ptr<std::uint32_t[]> triangles;
+  std::unique_ptr<std::uint32_t[]> primitives;
   if (this->GenerateIds)
   {
     const auto count = static_cast<std::size_t>(output->GetNumberOfPoints());
-    triangles.reset(new std::uint32_t[count]); // not zeroed
-    lambent::useHugePages(triangles.get(), count * sizeof(std::uint32_t));
-    image.triangles = triangles.get();
+    primitives.reset(new std::uint32_t[count]); // not zeroed
+    lambent::useHugePages(primitives.get(), count * sizeof(std::uint32_t));
+    image.primitives = primitives.get();
   }
   const lambent::Report report = lambent::render(description.scene(), image, parallel,
     [&](double fraction)
@@ -300,7 +300,7 @@ void vtkLambentAlgorithm::MakePicture(
   }
   if (this->GenerateIds)
   {
-    addIds(triangles.get(), description.surfaces(), parallel, output);
+    addIds(primitives.get(), description.surfaces(), parallel, output);
   }
 }
 

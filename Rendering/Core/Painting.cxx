@@ -10,17 +10,17 @@ namespace lambent
 static_assert(SampleBatch::pieceSize == Film::mostPixels, "a piece is stored at a time");
 
 FilmColor Painting::sampleColor(
-  const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const
+  const TileSamples& samples, const std::uint32_t* primitives, int i, int j) const
 {
-  const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-  if (triangle == noPrimitive)
+  const std::uint32_t primitive = primitives[static_cast<std::size_t>(j) * samples.stride() + i];
+  if (primitive == noPrimitive)
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
-  return { this->Light.color(this->Points.at(triangle, samples.xs()[i], samples.ys()[j])), 1.0 };
+  return { this->Light.color(this->Points.at(primitive, samples.xs()[i], samples.ys()[j])), 1.0 };
 }
 
-void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
+void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
 {
   const Window pixels = this->pixelsOf(samples.window());
   const int n = this->Target.target().samples;
@@ -31,15 +31,15 @@ void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* tri
       this->Target.storeColor(pixels.i0 + i, pixels.j0 + j,
         Film::average(n,
           [&](int column, int row)
-          { return this->sampleColor(samples, triangles, n * i + column, n * j + row); }));
+          { return this->sampleColor(samples, primitives, n * i + column, n * j + row); }));
     }
   }
-  this->Target.storeTriangles(pixels, triangles, samples.stride());
-  this->Passes.paintPlainly(samples, triangles);
+  this->Target.storePrimitives(pixels, primitives, samples.stride());
+  this->Passes.paintPlainly(samples, primitives);
 }
 
 void Painting::paint(
-  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
+  const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const
 {
   if (this->Passes.isNeeded() && !memory.passes)
   {
@@ -47,22 +47,22 @@ void Painting::paint(
   }
   if (this->Target.target().samples == 1)
   {
-    this->paintSamples(samples, triangles, memory);
+    this->paintSamples(samples, primitives, memory);
   }
   else
   {
-    this->paintAverages(samples, triangles, memory);
+    this->paintAverages(samples, primitives, memory);
     if (this->Passes.isNeeded())
     {
-      this->Passes.paint(samples, triangles, *memory.passes);
+      this->Passes.paint(samples, primitives, *memory.passes);
     }
   }
-  this->Target.storeTriangles(this->pixelsOf(samples.window()), triangles, samples.stride());
+  this->Target.storePrimitives(this->pixelsOf(samples.window()), primitives, samples.stride());
 }
 
 /// Each sample is a pixel.
 void Painting::paintSamples(
-  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
+  const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const
 {
   PointBatch* const points = memory.passes ? &memory.passes->points : nullptr;
   const auto store = [this](const SamplePiece& piece, const double* const* channels)
@@ -74,14 +74,14 @@ void Painting::paintSamples(
   };
   for (int row = 0; row < samples.window().height(); ++row)
   {
-    this->paintRow(samples, triangles, row, memory.batch, background, store, points);
+    this->paintRow(samples, primitives, row, memory.batch, background, store, points);
   }
   this->shade(memory.batch, store, points);
 }
 
 /// Computes the colours of the whole tile first, then the averages.
 void Painting::paintAverages(
-  const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const
+  const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const
 {
   const Window& window = samples.window();
   const Window pixels = this->pixelsOf(window);
@@ -114,7 +114,7 @@ void Painting::paintAverages(
   };
   for (int row = 0; row < window.height(); ++row)
   {
-    this->paintRow(samples, triangles, row, memory.batch, background, store);
+    this->paintRow(samples, primitives, row, memory.batch, background, store);
   }
   this->shade(memory.batch, store);
   for (int row = 0; row < pixels.height(); ++row)
@@ -128,13 +128,13 @@ void Painting::paintAverages(
 
 /// Calls background(i, j, width) for pieces that hit nothing. Other pieces go to the batch.
 template <typename BackgroundOf, typename StoreTo>
-void Painting::paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
+void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
   SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
   PointBatch* points) const
 {
   const Window& window = samples.window();
   const int j = window.j0 + row;
-  const std::uint32_t* const hits = triangles + static_cast<std::size_t>(row) * samples.stride();
+  const std::uint32_t* const hits = primitives + static_cast<std::size_t>(row) * samples.stride();
   for (int begin = 0; begin < window.width(); begin += SampleBatch::pieceSize)
   {
     const int i = window.i0 + begin;
@@ -194,7 +194,7 @@ void Painting::fillMissed(SampleBatch& batch, int number) const
   for (int begin = first, next = 0; begin < end; begin = next)
   {
     next = batch.endOfRun(begin, end);
-    if (batch.triangles[batch.run[begin]] == noPrimitive)
+    if (batch.primitives[batch.run[begin]] == noPrimitive)
     {
       double* const channels[3] = { batch.colors[0] + begin, batch.colors[1] + begin,
         batch.colors[2] + begin };

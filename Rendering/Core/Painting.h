@@ -47,10 +47,10 @@ public:
   {
   }
 
-  /// triangles: the triangle that each sample sees.
-  void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
+  /// primitives: the primitive that each sample sees.
+  void paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const;
   void paint(
-    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
+    const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   void paintBackground(const Window& samples) const
   {
     this->Target.storeBackground(this->pixelsOf(samples));
@@ -64,15 +64,15 @@ private:
     return { samples.i0 / n, samples.i1 / n, samples.j0 / n, samples.j1 / n };
   }
   FilmColor sampleColor(
-    const TileSamples& samples, const std::uint32_t* triangles, int i, int j) const;
+    const TileSamples& samples, const std::uint32_t* primitives, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>
-  void paintRow(const TileSamples& samples, const std::uint32_t* triangles, int row,
+  void paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
     SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
     PointBatch* points = nullptr) const;
   void paintSamples(
-    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
+    const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   void paintAverages(
-    const TileSamples& samples, const std::uint32_t* triangles, PaintingMemory& memory) const;
+    const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   template <typename StoreTo>
   void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;

@@ -36,16 +36,16 @@ void PassPainting::paintNothing(const Window& samples) const
 
 /// Component k of a pass at a surface point.
 double PassPainting::value(
-  const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const
+  const Pass& pass, const SurfacePoint& point, std::uint32_t primitive, int k) const
 {
   if (const PassEntry* const entry = entryOf(pass.content))
   {
     return entry->valueAt(point, this->Points.eye(), k);
   }
-  return this->Points.attribute(triangle, point.weights, pass.attribute, k);
+  return this->Points.attribute(primitive, point.weights, pass.attribute, k);
 }
 
-void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const
+void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
 {
   const Window& window = samples.window();
   const int n = this->Target.samples;
@@ -54,18 +54,19 @@ void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t*
     for (int i = n / 2; i < window.width(); i += n)
     {
       const int column = (window.i0 + i) / n, row = (window.j0 + j) / n;
-      const std::uint32_t triangle = triangles[static_cast<std::size_t>(j) * samples.stride() + i];
-      if (triangle == noPrimitive)
+      const std::uint32_t primitive =
+        primitives[static_cast<std::size_t>(j) * samples.stride() + i];
+      if (primitive == noPrimitive)
       {
         this->storeNothing(column, row, 1);
         continue;
       }
-      const SurfacePoint point = this->Points.at(triangle, samples.xs()[i], samples.ys()[j]);
+      const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
       for (const Pass& pass : this->Target.passes)
       {
         for (int k = 0; k < pass.components; ++k)
         {
-          storeValue(pass, this->pixel(column, row), k, this->value(pass, point, triangle, k));
+          storeValue(pass, this->pixel(column, row), k, this->value(pass, point, primitive, k));
         }
       }
     }
@@ -74,7 +75,7 @@ void PassPainting::paintPlainly(const TileSamples& samples, const std::uint32_t*
 
 /// Splits the middle rows of samples into pieces of middle samples.
 void PassPainting::paint(
-  const TileSamples& samples, const std::uint32_t* triangles, PassMemory& memory) const
+  const TileSamples& samples, const std::uint32_t* primitives, PassMemory& memory) const
 {
   constexpr int size = SampleBatch::pieceSize;
   const Window& window = samples.window();
@@ -82,7 +83,7 @@ void PassPainting::paint(
   SampleBatch& batch = memory.batch;
   for (int j = n / 2; j < window.height(); j += n)
   {
-    const std::uint32_t* const row = triangles + static_cast<std::size_t>(j) * samples.stride();
+    const std::uint32_t* const row = primitives + static_cast<std::size_t>(j) * samples.stride();
     const int columns = window.width() / n;
     for (int begin = 0; begin < columns; begin += size)
     {
@@ -160,9 +161,9 @@ void PassPainting::storeAttribute(
     next = batch.endOfRun(begin, end);
     const std::int64_t run = batch.run[begin];
     const std::size_t pixel = this->pixel(piece.i + begin - first, piece.j);
-    const std::uint32_t triangle = batch.triangles[run];
+    const std::uint32_t primitive = batch.primitives[run];
     const AttributeSpan* const values =
-      triangle == noPrimitive ? nullptr : batch.parts[run]->surface->attribute(pass.attribute);
+      primitive == noPrimitive ? nullptr : batch.parts[run]->surface->attribute(pass.attribute);
     if (!values)
     {
       lambent::storeNothing(pass, pixel, next - begin);
@@ -183,7 +184,7 @@ void PassPainting::storeAttribute(
           }
         });
     };
-    this->Points.visitAttribute(*values, *batch.parts[run], triangle, points, places);
+    this->Points.visitAttribute(*values, *batch.parts[run], primitive, points, places);
   }
 }
 

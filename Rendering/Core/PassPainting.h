@@ -39,9 +39,9 @@ public:
 
   bool isNeeded() const { return !this->Target.passes.empty(); }
 
-  /// triangles: the triangle that each sample sees.
-  void paintPlainly(const TileSamples& samples, const std::uint32_t* triangles) const;
-  void paint(const TileSamples& samples, const std::uint32_t* triangles, PassMemory& memory) const;
+  /// primitives: the primitive that each sample sees.
+  void paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const;
+  void paint(const TileSamples& samples, const std::uint32_t* primitives, PassMemory& memory) const;
   void paintNothing(const Window& samples) const;
   /// Stores the pixels of a batch of middle samples.
   void store(const SampleBatch& batch, const PointBatch& points) const;
@@ -52,7 +52,7 @@ private:
   {
     return static_cast<std::size_t>(j) * this->Target.part.width() + i;
   }
-  double value(const Pass& pass, const SurfacePoint& point, std::uint32_t triangle, int k) const;
+  double value(const Pass& pass, const SurfacePoint& point, std::uint32_t primitive, int k) const;
   void flush(PassMemory& memory) const;
   void store(const Pass& pass, const SampleBatch& batch, const PointBatch& points, int piece) const;
   void storeAttribute(

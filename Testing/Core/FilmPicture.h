@@ -30,7 +30,7 @@ struct FilmPicture
   int channels = 3;
   std::vector<unsigned char> bytes; ///< empty if the colours are floats
   std::vector<float> floats;        ///< empty if the colours are bytes
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> primitives;
   std::vector<std::vector<unsigned char>> passes; ///< the memory of each
 
   bool operator==(const FilmPicture& other) const
@@ -39,7 +39,7 @@ struct FilmPicture
       std::equal(reinterpret_cast<const unsigned char*>(this->floats.data()),
         reinterpret_cast<const unsigned char*>(this->floats.data() + this->floats.size()),
         reinterpret_cast<const unsigned char*>(other.floats.data())) &&
-      this->triangles == other.triangles && this->passes == other.passes;
+      this->primitives == other.primitives && this->passes == other.passes;
   }
 
   /// A component of a pass of this form.
@@ -74,8 +74,8 @@ inline FilmPicture makePicture(const RandomScene& random, const FilmRequest& req
   image.passes = request.passes;
   FilmPicture picture;
   picture.channels = image.channels();
-  picture.triangles.assign(pixels, 0xABABABABu); // no valid number
-  image.triangles = picture.triangles.data();
+  picture.primitives.assign(pixels, 0xABABABABu); // no valid number
+  image.primitives = picture.primitives.data();
   if (request.isBytes)
   {
     picture.bytes.assign(picture.channels * pixels, 0xAB);
@@ -137,7 +137,7 @@ inline FilmPicture cut(
   {
     const std::size_t first = static_cast<std::size_t>(j) * width + part.i0;
     const std::size_t channels = picture.channels;
-    append(result.triangles, picture.triangles, first, columns);
+    append(result.primitives, picture.primitives, first, columns);
     if (request.isBytes)
     {
       append(result.bytes, picture.bytes, channels * first, channels * columns);

@@ -134,7 +134,7 @@ TEST(BackgroundImage, IsInterpolatedBetweenTheCentresOfItsPixels)
     RandomScene larger = makeSmallScene(seed);
     larger.width *= n;
     larger.height *= n;
-    const std::vector<std::uint32_t> triangles = makeByBruteForce(larger, FilmRequest()).triangles;
+    const std::vector<std::uint32_t> triangles = makeByBruteForce(larger, FilmRequest()).primitives;
     const FilmPicture picture = makeByBruteForce(random, subject.request);
     for (int pixel = 0; pixel < random.width * random.height; ++pixel)
     {

@@ -21,7 +21,7 @@ constexpr unsigned int sceneCount = 400;
 struct Picture
 {
   std::vector<float> floats;
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> primitives;
   Outcome outcome = Outcome::Done;
 };
 
@@ -30,13 +30,13 @@ Picture makePicture(const RandomScene& random, const Window& part, const Setting
 {
   Picture picture;
   picture.floats.assign(3u * part.width() * part.height(), -1.0f);
-  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
+  picture.primitives.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
   Image image;
   image.width = random.width;
   image.height = random.height;
   image.part = part;
   image.floats = picture.floats.data();
-  image.triangles = picture.triangles.data();
+  image.primitives = picture.primitives.data();
   picture.outcome = render(random.scene, image, parallel, nullptr, settings).outcome;
   return picture;
 }
@@ -54,9 +54,9 @@ std::size_t differences(const Picture& a, const Picture& b)
   {
     count += std::memcmp(&a.floats[k], &b.floats[k], sizeof(float)) != 0;
   }
-  for (std::size_t k = 0; count == 0 && k < a.triangles.size(); ++k)
+  for (std::size_t k = 0; count == 0 && k < a.primitives.size(); ++k)
   {
-    count += a.triangles[k] != b.triangles[k];
+    count += a.primitives[k] != b.primitives[k];
   }
   return count;
 }
@@ -120,7 +120,7 @@ TEST(BruteForce, TestsEachTriangleAgainstEachRay)
           ? background
           : light.color(points.at(nearest, frame.x(i), frame.y(j)));
         hits += nearest != noPrimitive;
-        ASSERT_EQ(picture.triangles[j * random.width + i], nearest) << describe(seed, random);
+        ASSERT_EQ(picture.primitives[j * random.width + i], nearest) << describe(seed, random);
         for (int channel = 0; channel < 3; ++channel)
         {
           ASSERT_EQ(picture.floats[3 * (j * random.width + i) + channel],
@@ -240,7 +240,7 @@ TEST(BruteForce, EqualsAVeryWideImage)
     const Picture reference =
       makePicture(random, whole(random), Settings::bruteForce(whole(random)));
     hits += random.width * random.height -
-      std::count(reference.triangles.begin(), reference.triangles.end(), noPrimitive);
+      std::count(reference.primitives.begin(), reference.primitives.end(), noPrimitive);
     EXPECT_EQ(differences(reference, makePicture(random, whole(random), Settings())), 0u)
       << describe(seed, random);
   }
@@ -293,8 +293,8 @@ TEST(BruteForce, EqualsThePartsOfAnImage)
         << describe(seed, random) << ", row " << j;
       for (int i = part.i0; i < part.i1; ++i)
       {
-        ASSERT_EQ(picture.triangles[(j - part.j0) * part.width() + i - part.i0],
-          reference.triangles[j * random.width + i])
+        ASSERT_EQ(picture.primitives[(j - part.j0) * part.width() + i - part.i0],
+          reference.primitives[j * random.width + i])
           << describe(seed, random) << ", " << i << ", " << j;
       }
     }

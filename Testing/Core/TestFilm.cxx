@@ -60,7 +60,7 @@ TEST(Film, StoresTheMeanColourOfTheHitsAndTheirFraction)
     RandomScene larger = makeSmallScene(seed);
     larger.width *= n;
     larger.height *= n;
-    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, FilmRequest()).triangles;
+    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, FilmRequest()).primitives;
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, larger.width, larger.height);
     const FrameMesh inFrame(mesh, frame);
@@ -84,7 +84,7 @@ TEST(Film, StoresTheMeanColourOfTheHitsAndTheirFraction)
         EXPECT_EQ(bytes.bytes[4 * pixel + channel], toByte(expected))
           << "seed " << seed << ", pixel " << pixel << ", " << n << " samples";
       }
-      EXPECT_EQ(floats.triangles[pixel],
+      EXPECT_EQ(floats.primitives[pixel],
         seen[static_cast<std::size_t>(n * (pixel / random.width) + n / 2) * larger.width +
           n * (pixel % random.width) + n / 2]);
     }

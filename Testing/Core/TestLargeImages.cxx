@@ -112,7 +112,7 @@ TEST(LargeImages, PartsAtTheRightEdgeAreRendered)
       image.part = { image.width - width, image.width, 0, height };
       image.samples = samples;
       image.floats = floats.data();
-      image.triangles = triangles.data();
+      image.primitives = triangles.data();
       Settings settings;
       settings.kernels = hasKernels;
       EXPECT_EQ(render(wide.scene, image, Parallel(), nullptr, settings).outcome, Outcome::Done);

@@ -182,7 +182,7 @@ TEST(PassPainting, ShowsWhatTheMiddleSampleSees)
     RandomScene larger = makeSmallScene(seed);
     larger.width *= n;
     larger.height *= n;
-    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, FilmRequest()).triangles;
+    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, FilmRequest()).primitives;
     const CameraFrame frame(random.scene.camera, larger.width, larger.height);
     const FilmPicture picture = makeByBruteForce(random, subject.request);
     for (int pixel = 0; pixel < random.width * random.height; ++pixel)

@@ -148,7 +148,7 @@ void expectColorsOf(const SurfacePoints& points, const LightModel& light, const 
   {
     const SamplePiece& piece = batch.pieces[place / SampleBatch::pieceSize];
     const int i = place % SampleBatch::pieceSize;
-    const std::uint32_t triangle = batch.triangles[batch.run[place]];
+    const std::uint32_t triangle = batch.primitives[batch.run[place]];
     if (i >= piece.width)
     {
       continue;

@@ -23,14 +23,14 @@ namespace
 struct Picture
 {
   std::vector<float> floats;
-  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> primitives;
 
   bool operator==(const Picture& other) const
   {
     return this->floats.size() == other.floats.size() &&
       std::memcmp(this->floats.data(), other.floats.data(), this->floats.size() * sizeof(float)) ==
       0 &&
-      this->triangles == other.triangles;
+      this->primitives == other.primitives;
   }
 };
 
@@ -39,14 +39,14 @@ Picture makePicture(const RandomScene& random, int samples, const Window& part,
 {
   Picture picture;
   picture.floats.assign(3u * part.width() * part.height(), -1.0f);
-  picture.triangles.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
+  picture.primitives.assign(part.width() * part.height(), 0xABABABABu); // not a triangle
   Image image;
   image.width = random.width;
   image.height = random.height;
   image.part = part;
   image.samples = samples;
   image.floats = picture.floats.data();
-  image.triangles = picture.triangles.data();
+  image.primitives = picture.primitives.data();
   EXPECT_EQ(render(random.scene, image, parallel, nullptr, settings).outcome, Outcome::Done);
   return picture;
 }
@@ -81,7 +81,7 @@ Picture cut(const Picture& picture, int width, const Window& part)
     {
       const float* const pixel = &picture.floats[3 * (j * width + i)];
       result.floats.insert(result.floats.end(), pixel, pixel + 3);
-      result.triangles.push_back(picture.triangles[j * width + i]);
+      result.primitives.push_back(picture.primitives[j * width + i]);
     }
   }
   return result;
@@ -98,7 +98,7 @@ TEST(Supersampling, AveragesTheLargerPicture)
     RandomScene larger = makeSmallScene(seed);
     larger.width *= n;
     larger.height *= n;
-    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, 1).triangles;
+    const std::vector<std::uint32_t> seen = makeByBruteForce(larger, 1).primitives;
     const SceneMesh mesh(random.scene.surfaces);
     const CameraFrame frame(random.scene.camera, larger.width, larger.height);
     const FrameMesh inFrame(mesh, frame);
@@ -126,7 +126,7 @@ TEST(Supersampling, AveragesTheLargerPicture)
           static_cast<float>(sum[channel] / static_cast<double>(n * n)))
           << "seed " << seed << ", pixel " << pixel << ", " << n << " samples";
       }
-      EXPECT_EQ(picture.triangles[pixel], seen[(j0 + n / 2) * larger.width + i0 + n / 2]);
+      EXPECT_EQ(picture.primitives[pixel], seen[(j0 + n / 2) * larger.width + i0 + n / 2]);
     }
   }
 }

@@ -17,7 +17,7 @@ inline std::vector<std::uint32_t> visibleTriangles(
   image.width = image.height = side;
   image.part = { 0, side, 0, side };
   image.floats = floats.data();
-  image.triangles = triangles.data();
+  image.primitives = triangles.data();
   render(scene, image, lambent::Parallel(), nullptr, settings);
   return triangles;
 }

@@ -204,7 +204,7 @@ MUTATIONS = [
      "hn::Mul(sum, hn::Div(hn::Set(d, 1.0), divisor))",
      "sums of samples are divided"),
     (FILM, "(row * n + n / 2) * stride", "(row * n) * stride", "triangle ids are those of the middle sample"),
-    (RUN_RANGE, "if (!current || !current->holds(triangle))", "if (!current)",
+    (RUN_RANGE, "if (!current || !current->holds(primitive))", "if (!current)",
      "each run has its own surface"),
     (PAINTING, "if (!range.appearance)", "if (false)",
      "surfaces shaded together keep their colours"),
@@ -389,7 +389,7 @@ MUTATIONS = [
 
     # Bands of the picture, and windows of background.
     (IMAGE, "result.bytes += this->bytes ? before * this->channels() : 0;", "", "a band has its own bytes"),
-    (IMAGE, "result.triangles += this->triangles ? before : 0;", "", "a band has its own ids"),
+    (IMAGE, "result.primitives += this->primitives ? before : 0;", "", "a band has its own ids"),
     (IMAGE, "before * pass.components * size", "before * size", "a band has its own passes"),
     (TILE_TASKS, "background.i1 = tile.i1;", "", "a window of background includes its last tile"),
     (TILE_TASKS, "tile.i0 == background.i1 && tile.j0", "tile.j0",

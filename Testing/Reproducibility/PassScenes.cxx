@@ -10,9 +10,7 @@ namespace
 /// A smooth ball, a flat box, an unlit sheet seen from behind, and a smooth tube seen from inside.
 void still(Stage& s)
 {
-  s.daylight();
-  s.add(ball(3)).round();
-  s.add(moved(box({ 0.5, 0.75, 0.25 }), { 1.0625, -0.5, 0.75 })).flat().paint({ 0.3, 0.6, 0.9 });
+  ballAndBox(s, 1);
   s.add(turned(moved(square(3), { -1.0, 0.5, -0.75 }))).unlit().paint({ 0.9, 0.6, 0.3 });
   Body& tube = s.add(moved(cylinder(6), { -1.25, 0.0, 0.5 }));
   for (const Vec3& p : tube.shape.points)

@@ -60,9 +60,9 @@ void Film::storeBackground(const Window& pixels) const
   for (int j = pixels.j0; j < pixels.j1; ++j)
   {
     const std::size_t first = this->pixel(pixels.i0, j);
-    if (this->Target.triangles)
+    if (this->Target.primitives)
     {
-      std::fill_n(this->Target.triangles + first, pixels.width(), noPrimitive);
+      std::fill_n(this->Target.primitives + first, pixels.width(), noPrimitive);
     }
     if (this->Behind.hasImage())
     {
@@ -188,14 +188,14 @@ void Film::storeAverages(const Window& pixels, const TileColors& colors, int row
   }
 }
 
-void Film::storeTriangles(const Window& pixels, const std::uint32_t* triangles, int stride) const
+void Film::storePrimitives(const Window& pixels, const std::uint32_t* primitives, int stride) const
 {
   const int n = this->Target.samples;
-  for (int row = 0; this->Target.triangles && row < pixels.height(); ++row)
+  for (int row = 0; this->Target.primitives && row < pixels.height(); ++row)
   {
     const std::uint32_t* const from =
-      triangles + static_cast<std::size_t>(row * n + n / 2) * stride + n / 2;
-    std::uint32_t* const to = this->Target.triangles + this->pixel(pixels.i0, pixels.j0 + row);
+      primitives + static_cast<std::size_t>(row * n + n / 2) * stride + n / 2;
+    std::uint32_t* const to = this->Target.primitives + this->pixel(pixels.i0, pixels.j0 + row);
     for (int i = 0; i < pixels.width(); ++i)
     {
       to[i] = from[i * n];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief turns samples into pixels: averages, alpha, bytes or floats, the triangles seen
+ * @brief turns samples into pixels: averages, alpha, bytes or floats, the primitives seen
  *
  * With n samples along each axis, a pixel is the sum of its n^2 linear values, divided by n^2 (a
  * box filter). The values are added row by row from the bottom, each row from the left. average()
@@ -56,9 +56,9 @@ public:
   void storeColors(int i, int j, int count, const double* const* channels) const;
   /// Stores the pixels of a window, whose samples begin in that row of `colors`.
   void storeAverages(const Window& pixels, const TileColors& colors, int row) const;
-  /// Stores the triangles of the pixels of a window. `triangles` are those of its samples, in rows
-  /// that begin `stride` apart.
-  void storeTriangles(const Window& pixels, const std::uint32_t* triangles, int stride) const;
+  /// Stores the primitives of the pixels of a window. `primitives` are those of its samples, in
+  /// rows that begin `stride` apart.
+  void storePrimitives(const Window& pixels, const std::uint32_t* primitives, int stride) const;
 
   /// colorOf(i, j): the colour of the sample in that column and row of the pixel.
   template <typename ColorOf>

@@ -37,11 +37,11 @@ struct Pass
 
 /**
  * The destination of an image or a part of it: rows from the bottom, three channels per pixel, as
- * bytes or floats (the other one is nullptr). If `triangles` is set, it receives the number of the
- * triangle that each pixel shows, as counted by SceneMesh, or noPrimitive.
+ * bytes or floats (the other one is nullptr). If `primitives` is set, it receives the number of the
+ * primitive that each pixel shows, as counted by SceneMesh, or noPrimitive.
  *
  * With n samples along each axis, a pixel is the average of n x n pixels of the image of size n
- * width x n height. Its triangle and its passes are those of sample (n / 2, n / 2), rounded down.
+ * width x n height. Its primitive and its passes are those of sample (n / 2, n / 2), rounded down.
  *
  * If the image has alpha, there is a fourth channel: the fraction of the samples that hit
  * something. The colour is the average of these samples only, and 0 if there are none (straight
@@ -55,7 +55,7 @@ struct Image
   bool hasAlpha = false;
   unsigned char* bytes = nullptr;
   float* floats = nullptr;
-  std::uint32_t* triangles = nullptr;
+  std::uint32_t* primitives = nullptr;
   std::vector<Pass> passes;
 
   int channels() const { return this->hasAlpha ? 4 : 3; }
@@ -70,7 +70,7 @@ struct Image
       static_cast<std::size_t>(j0 - this->part.j0) * this->part.width(); // pixels
     result.bytes += this->bytes ? before * this->channels() : 0;
     result.floats += this->floats ? before * this->channels() : 0;
-    result.triangles += this->triangles ? before : 0;
+    result.primitives += this->primitives ? before : 0;
     for (Pass& pass : result.passes)
     {
       const std::size_t size = pass.isDouble ? sizeof(double) : sizeof(float);

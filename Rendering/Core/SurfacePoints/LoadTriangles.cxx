@@ -27,12 +27,12 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
   std::fill_n(batch.isWanted, batch.runCount, 0.0);
   for (int run = range.firstRun; run < range.endRun; ++run)
   {
-    if (batch.triangles[run] != noPrimitive)
+    if (batch.primitives[run] != noPrimitive)
     {
       batch.isWanted[run] = 1.0;
       runs[count++] = run;
       const SceneMesh::Part& part = partOf(run);
-      const std::size_t corner = 3 * (batch.triangles[run] - part.firstPrimitive);
+      const std::size_t corner = 3 * (batch.primitives[run] - part.firstPrimitive);
       hwy::Prefetch(part.corners().at(corner));
       if (IsSmooth && part.hasNormalNumbers())
       {
@@ -45,7 +45,7 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = partOf(runs[k]);
-    const std::size_t first = 3 * (batch.triangles[runs[k]] - part.firstPrimitive);
+    const std::size_t first = 3 * (batch.primitives[runs[k]] - part.firstPrimitive);
     const bool hasNumbers = IsSmooth && part.hasNormalNumbers();
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
@@ -78,7 +78,7 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
     {
       put(batch.normals, runs[k],
         part.hasCellNormals() ? TrianglePoints::faceNormal(
-                                  *part.surface, batch.triangles[runs[k]] - part.firstPrimitive)
+                                  *part.surface, batch.primitives[runs[k]] - part.firstPrimitive)
                               : cross(points[1] - points[0], points[2] - points[0]));
     }
   }

@@ -33,20 +33,20 @@ bool RunRange::moveOn(const SceneMesh& mesh, SampleBatch& batch)
 {
   if (this->endRun == 0)
   {
-    mesh.prefetchPartsOf(batch.triangles, batch.runCount);
+    mesh.prefetchPartsOf(batch.primitives, batch.runCount);
   }
   const SceneMesh::Part* current = nullptr;
   int run = this->endRun;
   for (this->firstRun = run; run < batch.runCount; ++run)
   {
-    const std::uint32_t triangle = batch.triangles[run];
-    if (triangle == noPrimitive)
+    const std::uint32_t primitive = batch.primitives[run];
+    if (primitive == noPrimitive)
     {
       continue;
     }
-    if (!current || !current->holds(triangle))
+    if (!current || !current->holds(primitive))
     {
-      const SceneMesh::Part& next = mesh.partOf(triangle);
+      const SceneMesh::Part& next = mesh.partOf(primitive);
       if (!current)
       {
         this->begin(next);

@@ -4,8 +4,9 @@
  * @file
  * @brief pieces of rows of samples, in the layout of the kernels for surface points and light
  *
- * Neighbours in a row often hit the same triangle, or nothing. So the data of a triangle is stored
- * once for each run of samples that share it. Runs are numbered consecutively over all pieces.
+ * Neighbours in a row often hit the same primitive, or nothing. So the data of a primitive is
+ * stored once for each run of samples that share it. Runs are numbered consecutively over all
+ * pieces.
  */
 #ifndef lambent_SampleBatch_h
 #define lambent_SampleBatch_h
@@ -41,7 +42,7 @@ struct SampleBatch
   alignas(64) std::int64_t run[places]; ///< the run of each sample
 
   // One value per run.
-  std::uint32_t triangles[room]; ///< or noPrimitive
+  std::uint32_t primitives[room]; ///< or noPrimitive
   const SceneMesh::Part* parts[room];
   /// 1 where the kernel must shade the run, 0 elsewhere.
   alignas(64) double isWanted[room] = {};
@@ -57,10 +58,10 @@ struct SampleBatch
   /// Red, green and blue, and alpha if the image has it.
   alignas(64) double colors[4][places] = {};
 
-  bool isHit(int place) const { return this->triangles[this->run[place]] != noPrimitive; }
+  bool isHit(int place) const { return this->primitives[this->run[place]] != noPrimitive; }
   bool isFull() const { return this->pieceCount == mostPieces; }
 
-  /// Adds a piece with the triangles that its rays hit. Returns false if they all hit nothing.
+  /// Adds a piece with the primitives that its rays hit. Returns false if they all hit nothing.
   bool add(const SamplePiece& piece, const std::uint32_t* hits)
   {
     std::uint32_t differences = 0;
@@ -75,12 +76,12 @@ struct SampleBatch
     const int first = this->pieceCount * pieceSize;
     // The ends of runs are unpredictable, so all is written without branches.
     int last = this->runCount - 1;
-    std::uint32_t triangle = ~hits[0];
+    std::uint32_t primitive = ~hits[0];
     for (int i = 0; i < piece.width; ++i)
     {
-      last += hits[i] != triangle;
-      triangle = hits[i];
-      this->triangles[last] = triangle;
+      last += hits[i] != primitive;
+      primitive = hits[i];
+      this->primitives[last] = primitive;
       this->run[first + i] = last;
     }
     std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);
