@@ -65,7 +65,7 @@ void Painting::paintSamples(
   const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const
 {
   PointBatch* const points = memory.passes ? &memory.passes->points : nullptr;
-  const auto store = [this](const SamplePiece& piece, const double* const* channels)
+  const auto store = [this](const SamplePiece& piece, const ChannelSpan& channels)
   { this->Target.storeColors(piece.i, piece.j, piece.width, channels); };
   const auto background = [this](int i, int j, int width)
   {
@@ -90,7 +90,7 @@ void Painting::paintAverages(
   TileColors& colors = memory.colors;
   colors.reset(window.width(), window.height(), channelCount);
   memory.isHit.assign(pixels.height(), 0);
-  const auto store = [&](const SamplePiece& piece, const double* const* channels)
+  const auto store = [&](const SamplePiece& piece, const ChannelSpan& channels)
   {
     const int row = piece.j - window.j0;
     for (int channel = 0; channel < channelCount; ++channel)
@@ -172,12 +172,8 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
-    const double* channels[4];
-    for (int channel = 0; channel < 4; ++channel)
-    {
-      channels[channel] = batch.colors[channel] + piece * SampleBatch::pieceSize;
-    }
-    store(batch.pieces[piece], channels);
+    store(batch.pieces[piece],
+      ChannelSpan{ batch.colors[0] + piece * SampleBatch::pieceSize, SampleBatch::places });
   }
   if (points)
   {

@@ -17,11 +17,11 @@ constexpr std::size_t maximumShares = 32;
 constexpr std::size_t mostTilesInGroup = 16;
 constexpr std::size_t mostWeightInGroup = 128;
 
-// The weight of a batch, in pages; painting a tile counts as some more. A batch takes some
-// milliseconds, so that progress and aborts are handled promptly.
+// The weight of a batch, in pages; painting this many samples counts as one more. A batch takes
+// some milliseconds, so that progress and aborts are handled promptly.
 constexpr std::size_t mostWeightInBatch = 8 * 1024;
 constexpr std::size_t emptyTileWeight = 2;
-constexpr std::size_t paintedTileWeight = 16;
+constexpr std::size_t samplesInWeight = 256;
 }
 
 std::size_t TilePlan::countPages(const std::vector<const Bins*>& bins, int tile) const
@@ -42,6 +42,8 @@ void TilePlan::make(const std::vector<const Bins*>& bins)
   this->Splits.clear();
   this->Groups.assign(1, 0);
   this->Batches.assign(1, 0);
+  const auto size = static_cast<std::size_t>(this->Grid.levels()[0].size);
+  const std::size_t paintingWeight = size * size / samplesInWeight;
   std::size_t groupWeight = 0, groupTiles = 0, batchWeight = 0;
   for (int tile = 0; tile < this->Grid.tileCount(); ++tile)
   {
@@ -59,7 +61,7 @@ void TilePlan::make(const std::vector<const Bins*>& bins)
       groupWeight = groupTiles = batchWeight = 0;
     }
     groupWeight += weight;
-    batchWeight += weight + (pages > 0 ? paintedTileWeight : 0);
+    batchWeight += weight + (pages > 0 ? paintingWeight : 0);
     ++groupTiles;
     if (shares > 1)
     {

@@ -34,7 +34,7 @@ void storeByte(V value, std::uint8_t* bytes)
 }
 
 template <int ChannelCount>
-void store(const double* const* channels, int count, unsigned char* pixels)
+void store(const ChannelSpan& channels, int count, unsigned char* pixels)
 {
   constexpr int size = mostBytePixels;
   HWY_ALIGN std::uint8_t bytes[4][size];
@@ -63,7 +63,7 @@ void store(const double* const* channels, int count, unsigned char* pixels)
   std::memcpy(pixels, interleaved, static_cast<std::size_t>(ChannelCount * count));
 }
 
-void StoreBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels)
+void StoreBytes(const ChannelSpan& channels, int channelCount, int count, unsigned char* pixels)
 {
   channelCount == 4 ? store<4>(channels, count, pixels) : store<3>(channels, count, pixels);
 }
@@ -77,7 +77,7 @@ namespace lambent
 {
 HWY_EXPORT(StoreBytes);
 
-void storeBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels)
+void storeBytes(const ChannelSpan& channels, int channelCount, int count, unsigned char* pixels)
 {
   HWY_DYNAMIC_DISPATCH(StoreBytes)(channels, channelCount, count, pixels);
 }

@@ -7,14 +7,15 @@
 #ifndef lambent_ByteKernel_h
 #define lambent_ByteKernel_h
 
+#include "ChannelSpan.h"
+
 namespace lambent
 {
-/// Writes three or four channels of `count` pixels, at most 32, as bytes. May read 32 values of
-/// each channel.
 /// The largest `count` of storeBytes(), and the number of values that each channel must hold.
 constexpr int mostBytePixels = 32;
 
-void storeBytes(const double* const* channels, int channelCount, int count, unsigned char* pixels);
+/// Writes three or four channels of `count` pixels as bytes.
+void storeBytes(const ChannelSpan& channels, int channelCount, int count, unsigned char* pixels);
 }
 
 #endif

@@ -109,12 +109,12 @@ void Film::storeBackgroundImage(const Window& pixels) const
 void Film::storeBackgroundImageRow(int begin, int end, int j) const
 {
   double colors[4][mostPixels] = {};
-  double* const channels[4] = { colors[0], colors[1], colors[2], colors[3] };
+  double* const channels[3] = { colors[0], colors[1], colors[2] };
   for (int i = begin; i < end; i += mostPixels)
   {
     const int count = std::min(mostPixels, end - i);
     this->Behind.fill(i, j, count, channels);
-    this->storeColors(i, j, count, channels);
+    this->storeColors(i, j, count, { colors[0], mostPixels });
   }
 }
 
@@ -137,24 +137,34 @@ void Film::storeColor(int i, int j, const FilmColor& color) const
   }
 }
 
-void Film::storeColors(int i, int j, int count, const double* const* channels) const
+void Film::storeColors(int i, int j, int count, const ChannelSpan& channels) const
+{
+  if (!this->Target.hasAlpha)
+  {
+    this->storeStraight(i, j, count, channels);
+    return;
+  }
+  double colors[4][mostPixels];
+  for (int k = 0; k < mostPixels; ++k)
+  {
+    const double alpha = channels[3][k];
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      colors[channel][k] = alpha > 0.0 ? channels[channel][k] / alpha : 0.0;
+    }
+    colors[3][k] = alpha;
+  }
+  this->storeStraight(i, j, count, { colors[0], mostPixels });
+}
+
+/// Colours are not multiplied by alpha.
+void Film::storeStraight(int i, int j, int count, const ChannelSpan& channels) const
 {
   const int channelCount = this->Target.channels();
-  const double* values[4] = { channels[0], channels[1], channels[2], channels[3] };
-  double straightColors[3][mostPixels];
-  for (int channel = 0; this->Target.hasAlpha && channel < 3; ++channel)
-  {
-    for (int k = 0; k < mostPixels; ++k)
-    {
-      const double alpha = channels[3][k];
-      straightColors[channel][k] = alpha > 0.0 ? channels[channel][k] / alpha : 0.0;
-    }
-    values[channel] = straightColors[channel];
-  }
   const std::size_t first = channelCount * this->pixel(i, j);
   if (this->Target.bytes)
   {
-    storeBytes(values, channelCount, count, this->Target.bytes + first);
+    storeBytes(channels, channelCount, count, this->Target.bytes + first);
     return;
   }
   float* out = this->Target.floats + first;
@@ -162,7 +172,7 @@ void Film::storeColors(int i, int j, int count, const double* const* channels) c
   {
     for (int channel = 0; channel < channelCount; ++channel)
     {
-      *out++ = toFloat(values[channel][k]);
+      *out++ = toFloat(channels[channel][k]);
     }
   }
 }
@@ -171,7 +181,6 @@ void Film::storeAverages(const Window& pixels, const TileColors& colors, int row
 {
   constexpr int room = mostPixels + 8;
   double averages[4][room] = {};
-  const double* const channels[4] = { averages[0], averages[1], averages[2], averages[3] };
   const int n = this->Target.samples;
   for (int j = pixels.j0; j < pixels.j1; ++j, row += n)
   {
@@ -183,7 +192,7 @@ void Film::storeAverages(const Window& pixels, const TileColors& colors, int row
         averageSamples(
           colors.row(channel, row) + begin * n, colors.stride(), n, count, averages[channel]);
       }
-      this->storeColors(pixels.i0 + begin, j, count, channels);
+      this->storeColors(pixels.i0 + begin, j, count, { averages[0], room });
     }
   }
 }

@@ -53,7 +53,7 @@ public:
   /// Stores `count` pixels, at most mostPixels, from (i, j) on. Each channel must hold mostPixels
   /// values.
   static constexpr int mostPixels = mostBytePixels;
-  void storeColors(int i, int j, int count, const double* const* channels) const;
+  void storeColors(int i, int j, int count, const ChannelSpan& channels) const;
   /// Stores the pixels of a window, whose samples begin in that row of `colors`.
   void storeAverages(const Window& pixels, const TileColors& colors, int row) const;
   /// Stores the primitives of the pixels of a window. `primitives` are those of its samples, in
@@ -91,6 +91,7 @@ private:
                              : FilmColor{ Vec3(0.0), 0.0 };
   }
   FilmColor averageBackground(int i, int j) const;
+  void storeStraight(int i, int j, int count, const ChannelSpan& channels) const;
   void storeBackgroundImage(const Window& pixels) const;
   void storeBackgroundImageRow(int begin, int end, int j) const;
   std::size_t pixel(int i, int j) const
