@@ -206,6 +206,10 @@ void Painting::fillBackground(SampleBatch& batch) const
   const Background& background = this->Target.background();
   for (int k = 0; k < batch.pieceCount; ++k)
   {
+    if (!batch.hasMisses[k])
+    {
+      continue;
+    }
     const SamplePiece& piece = batch.pieces[k];
     const int first = k * SampleBatch::pieceSize;
     if (background.hasImage())

@@ -39,6 +39,7 @@ struct SampleBatch
   int pieceCount = 0;
   int runCount = 0;
   SamplePiece pieces[mostPieces];
+  bool hasMisses[mostPieces];           ///< some samples of the piece hit nothing
   alignas(64) std::int64_t run[places]; ///< the run of each sample
 
   // One value per run.
@@ -64,29 +65,19 @@ struct SampleBatch
   /// Adds a piece with the primitives that its rays hit. Returns false if they all hit nothing.
   bool add(const SamplePiece& piece, const std::uint32_t* hits)
   {
-    std::uint32_t differences = 0;
+    std::uint32_t differences = 0, misses = 0;
     for (int i = 0; i < piece.width; ++i)
     {
       differences |= hits[i] ^ hits[0];
+      misses |= hits[i] == noPrimitive ? 1 : 0;
     }
     if (hits[0] == noPrimitive && differences == 0)
     {
       return false;
     }
-    const int first = this->pieceCount * pieceSize;
-    // The ends of runs are unpredictable, so all is written without branches.
-    int last = this->runCount - 1;
-    std::uint32_t primitive = ~hits[0];
-    for (int i = 0; i < piece.width; ++i)
-    {
-      last += hits[i] != primitive;
-      primitive = hits[i];
-      this->primitives[last] = primitive;
-      this->run[first + i] = last;
-    }
-    std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);
+    this->hasMisses[this->pieceCount] = misses != 0;
+    differences == 0 ? this->addRun(hits[0]) : this->addRuns(hits, piece.width);
     this->pieces[this->pieceCount++] = piece;
-    this->runCount = last + 1;
     return true;
   }
 
@@ -102,6 +93,30 @@ struct SampleBatch
   }
 
   void clear() { this->pieceCount = this->runCount = 0; }
+
+private:
+  void addRun(std::uint32_t primitive)
+  {
+    this->primitives[this->runCount] = primitive;
+    std::fill_n(this->run + this->pieceCount * pieceSize, pieceSize, this->runCount++);
+  }
+
+  void addRuns(const std::uint32_t* hits, int width)
+  {
+    std::int64_t* const runs = this->run + this->pieceCount * pieceSize;
+    // The ends of runs are unpredictable, so all is written without branches.
+    int last = this->runCount - 1;
+    std::uint32_t primitive = ~hits[0];
+    for (int i = 0; i < width; ++i)
+    {
+      last += hits[i] != primitive;
+      primitive = hits[i];
+      this->primitives[last] = primitive;
+      runs[i] = last;
+    }
+    std::fill(runs + width, runs + pieceSize, last);
+    this->runCount = last + 1;
+  }
 };
 }
 
