@@ -17,11 +17,9 @@
 
 namespace lambent
 {
-/// Fills in the colours of the samples whose runs are wanted, and their surface points unless
-/// `surfacePoints` is nullptr. The triangles of all runs of the range must be loaded, and their
-/// reflection, too, unless the range has one appearance.
 /// Computes the colours of the samples in a range, none of which is unlit. Stores their surface
-/// points, too, if there is memory for them.
+/// points, too, unless `result` is nullptr. The samples' diffuse and ambient reflection must be
+/// loaded, unless the range has one appearance.
 void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result = nullptr);
 }
