@@ -194,7 +194,7 @@ MUTATIONS = [
     (SHADING_KERNEL, "storeWhere(samples.isWanted, color.y, batch.colors[1] + place);",
      "hn::StoreU(color.y, d, batch.colors[1] + place);",
      "samples without hits keep the background"),
-    (SAMPLES, "std::fill(this->run + first + piece.width, this->run + first + pieceSize, last);",
+    (SAMPLES, "std::fill(runs + width, runs + pieceSize, last);",
      "", "places beyond a piece belong to its last run"),
     (LOADING, "std::fill_n(batch.isWanted, batch.runCount, 0.0);", "",
      "samples of other ranges are not shaded again"),
