@@ -84,6 +84,38 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
   }
 }
 
+/// Loads what the points of the runs contribute to the colour. These runs are not known to share a
+/// surface.
+void loadCornerColors(const RunRange& range, SampleBatch& batch)
+{
+  for (int run = range.firstRun; run < range.endRun; ++run)
+  {
+    if (batch.primitives[run] == noPrimitive)
+    {
+      continue;
+    }
+    const SceneMesh::Part& part = *batch.parts[run];
+    const Surface& surface = *part.surface;
+    const std::size_t first = 3 * (batch.primitives[run] - part.firstPrimitive);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const std::size_t point = surface.corners[first + corner];
+      double(*const rows)[SampleBatch::room] = batch.cornerColors + 3 * corner;
+      if (range.colorSource == ColorSource::MappedLast)
+      {
+        rows[0][run] = surface.colors->number(point);
+      }
+      else
+      {
+        put(rows, run, surface.colors->color(point));
+      }
+    }
+    const bool isLit = !range.isUnlit;
+    batch.coefficients[0][run] = isLit ? part.appearance->diffuse : 1.0;
+    batch.coefficients[1][run] = isLit ? part.appearance->ambient : 0.0;
+  }
+}
+
 template <bool IsSmooth>
 void load(const RunRange& range, SampleBatch& batch)
 {
@@ -104,5 +136,9 @@ void load(const RunRange& range, SampleBatch& batch)
 void loadTriangles(const RunRange& range, SampleBatch& batch)
 {
   range.isSmooth ? load<true>(range, batch) : load<false>(range, batch);
+  if (range.colorSource != ColorSource::Primitive)
+  {
+    loadCornerColors(range, batch);
+  }
 }
 }
