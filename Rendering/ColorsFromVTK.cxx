@@ -31,18 +31,6 @@ double powerOfTen(double exponent)
 {
   return exponent < 0.0 ? 1.0 / power(10.0, -exponent) : power(10.0, exponent);
 }
-
-/// VTK's default table, unless there is another.
-vtkSmartPointer<vtkScalarsToColors> copyOf(vtkScalarsToColors* table)
-{
-  if (!table)
-  {
-    return vtkSmartPointer<vtkLookupTable>::New();
-  }
-  auto copy = vtkSmartPointer<vtkScalarsToColors>::Take(table->NewInstance());
-  copy->DeepCopy(table);
-  return copy;
-}
 }
 
 ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, SpansFromVTK& spans)
@@ -57,7 +45,9 @@ ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, Sp
   vtkScalarsToColors* const given =
     this->Array->GetLookupTable() ? this->Array->GetLookupTable() : settings.lookupTable.Get();
   this->findRange(given);
-  this->map(copyOf(given), spans);
+  // Not a copy: vtkScalarsToColors::DeepCopy() loses the colours of NaN and beyond the range.
+  const auto usual = vtkSmartPointer<vtkLookupTable>::New();
+  this->map(given ? given : usual, spans);
 }
 
 void ColorsFromVTK::findArray(vtkPolyData* input, SpansFromVTK& spans)
@@ -160,7 +150,6 @@ void ColorsFromVTK::map(vtkScalarsToColors* table, SpansFromVTK& spans)
          << "; both must be greater than 0. Call SetInputScalarRange(), or SetScaleToLinear().";
     throw std::runtime_error(text.str());
   }
-  table->SetRange(this->Range);
   auto* const plain = vtkLookupTable::SafeDownCast(table);
   auto* const function = vtkColorTransferFunction::SafeDownCast(table);
   if (function && function->GetSize() == 0)
@@ -168,8 +157,7 @@ void ColorsFromVTK::map(vtkScalarsToColors* table, SpansFromVTK& spans)
     throw std::runtime_error("the colour transfer function has no colours. Call "
                              "vtkColorTransferFunction::AddRGBPoint().");
   }
-  const bool isPlain =
-    plain && !table->GetIndexedLookup() && std::string(table->GetClassName()) == "vtkLookupTable";
+  const bool isPlain = plain && !table->GetIndexedLookup();
   const bool isMappedLast = this->Settings.interpolateScalarsBeforeMapping &&
     !this->Result.values.isPerCell && !table->GetIndexedLookup();
   if (!isPlain && !isMappedLast)
@@ -214,7 +202,7 @@ void ColorsFromVTK::sample(vtkScalarsToColors* table)
 {
   constexpr int count = 4096;
   table->Build();
-  std::copy_n(table->GetRange(), 2, this->Range); // some have their own, whatever is set
+  std::copy_n(table->GetRange(), 2, this->Range); // it has its own, whatever is set
   const bool isLogarithmic = table->UsingLogScale() != 0;
   const double low = isLogarithmic ? decimalLogarithm(this->Range[0]) : this->Range[0];
   const double high = isLogarithmic ? decimalLogarithm(this->Range[1]) : this->Range[1];
@@ -238,20 +226,19 @@ void ColorsFromVTK::sample(vtkScalarsToColors* table)
 void ColorsFromVTK::mapAll(vtkScalarsToColors* table, SpansFromVTK& spans)
 {
   vtkSmartPointer<vtkDataArray> numbers = this->Array;
-  if (this->Settings.component == ColorArray::magnitude)
+  if (this->Array->GetNumberOfComponents() > 1)
   {
-    auto lengths = vtkSmartPointer<vtkDoubleArray>::New();
-    lengths->SetNumberOfTuples(this->Array->GetNumberOfTuples());
-    for (vtkIdType k = 0; k < lengths->GetNumberOfTuples(); ++k)
+    auto chosen = vtkSmartPointer<vtkDoubleArray>::New();
+    chosen->SetNumberOfTuples(this->Array->GetNumberOfTuples());
+    for (vtkIdType k = 0; k < chosen->GetNumberOfTuples(); ++k)
     {
-      lengths->SetValue(k, this->Result.number(static_cast<std::size_t>(k)));
+      chosen->SetValue(k, this->Result.number(static_cast<std::size_t>(k)));
     }
-    numbers = lengths;
+    numbers = chosen;
   }
-  table->SetVectorModeToComponent();
   table->Build();
   this->Mapped = vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    table->MapScalars(numbers, VTK_COLOR_MODE_MAP_SCALARS, std::max(0, this->Settings.component)));
+    table->MapScalars(numbers, VTK_COLOR_MODE_MAP_SCALARS, 0));
   this->Result.values = spans.attribute(this->Mapped, this->Result.values.isPerCell);
 }
 

@@ -85,12 +85,10 @@ Array numbers(const Array& array, int components, vtkIdType tuples, bool isReal)
 vtkSmartPointer<vtkUnsignedCharArray> mapped(
   vtkScalarsToColors* table, vtkDataArray* array, int component)
 {
-  auto copy = Table::Take(table->NewInstance());
-  copy->DeepCopy(table);
-  copy->Build();
-  component < 0 ? copy->SetVectorModeToMagnitude() : copy->SetVectorModeToComponent();
+  component < 0 ? table->SetVectorModeToMagnitude() : table->SetVectorModeToComponent();
+  table->Build();
   return vtkSmartPointer<vtkUnsignedCharArray>::Take(
-    copy->MapScalars(array, VTK_COLOR_MODE_DEFAULT, component));
+    table->MapScalars(array, VTK_COLOR_MODE_DEFAULT, component));
 }
 
 /// Compares the pixels, one for each tuple, with the colours that VTK gives to the tuples.
