@@ -46,6 +46,7 @@ private:
       colors->isMappedLast = !colors->values.isPerCell && this->Random.below(2) == 0;
     }
     surface.colors = colors.get();
+    surface.appearance.diffuse = this->Random.within(0.5, 1.5);
     this->Colors.push_back(std::move(colors));
   }
 
