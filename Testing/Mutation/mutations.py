@@ -64,6 +64,7 @@ SPANS = "Filters/SpansFromVTK.cxx"
 INPUTS = "Rendering/InputSurfaces.cxx"
 PASS_ARRAYS = "Rendering/PassArrays.cxx"
 COLOR_TABLE = "Rendering/Core/Scene/ColorTable.cxx"
+COLOR_TABLE_HEADER = "Rendering/Core/Scene/ColorTable.h"
 COLOR_ARRAY = "Rendering/Core/Scene/ColorArray.h"
 SURFACE_COLOR = "Rendering/Core/SurfacePoints/SurfaceColor.cxx"
 VECTOR_COLOR = "Rendering/Core/SurfacePoints/VectorSurfaceColor.h"
@@ -415,7 +416,7 @@ MUTATIONS = [
     (COLOR_TABLE, "if (this->IsLogarithmic && !(value > 0.0))", "if (false)",
      "numbers without a logarithm have the first colour"),
     (COLOR_ARRAY, "sum += value * value;", "sum = value * value;", "all components count"),
-    (COLOR_ARRAY, "? value / 255.0 : value", "? value / 256.0 : value", "255 is 1"),
+    (COLOR_TABLE_HEADER, "k / 255.0", "k / 256.0", "255 is 1"),
     (SURFACE_COLOR, "surface.cellOf(primitive)", "primitive", "colours are those of cells"),
     (SURFACE_COLOR, "color * appearance.ambient }", "appearance.ambientReflection() }",
      "colours of arrays replace the ambient colour"),

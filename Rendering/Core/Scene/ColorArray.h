@@ -35,36 +35,42 @@ struct ColorArray
   /// The number to look up.
   double number(std::size_t tuple) const
   {
-    if (this->component != magnitude)
-    {
-      return this->values.at(tuple, this->component);
-    }
-    double sum = 0.0;
-    for (int k = 0; k < this->values.components; ++k)
-    {
-      const double value = this->values.at(tuple, k);
-      sum += value * value;
-    }
-    return std::sqrt(sum);
+    return this->values.visit([&](const auto* all) { return this->numberIn(all, tuple); });
   }
 
   /// The colour of a point or cell.
   Vec3 color(std::size_t tuple) const
   {
-    if (this->table)
-    {
-      return this->table->color(this->number(tuple));
-    }
-    const bool isGrey = this->values.components < 3;
-    return { this->channel(tuple, 0), this->channel(tuple, isGrey ? 0 : 1),
-      this->channel(tuple, isGrey ? 0 : 2) };
+    return this->values.visit([&](const auto* all) { return this->colorIn(all, tuple); });
   }
 
-private:
-  double channel(std::size_t tuple, int component) const
+  /// The same, where `all` are the values with their own type.
+  template <typename Value>
+  double numberIn(const Value* all, std::size_t tuple) const
   {
-    const double value = this->values.at(tuple, component);
-    return this->values.type == AttributeType::UInt8 ? value / 255.0 : value;
+    const Value* const numbers = all + tuple * static_cast<std::size_t>(this->values.components);
+    if (this->component != magnitude)
+    {
+      return static_cast<double>(numbers[this->component]);
+    }
+    double sum = 0.0;
+    for (int k = 0; k < this->values.components; ++k)
+    {
+      const auto number = static_cast<double>(numbers[k]);
+      sum += number * number;
+    }
+    return std::sqrt(sum);
+  }
+  template <typename Value>
+  Vec3 colorIn(const Value* all, std::size_t tuple) const
+  {
+    if (this->table)
+    {
+      return this->table->color(this->numberIn(all, tuple));
+    }
+    const Value* const channels = all + tuple * static_cast<std::size_t>(this->values.components);
+    const int green = this->values.components < 3 ? 0 : 1, blue = 2 * green;
+    return { channelOf(channels[0]), channelOf(channels[green]), channelOf(channels[blue]) };
   }
 };
 }

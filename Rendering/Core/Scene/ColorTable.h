@@ -20,6 +20,31 @@
 
 namespace lambent
 {
+/// A channel of a colour. Bytes are divided by 255; the quotients are looked up, because a division
+/// takes several times as long. Other numbers are taken as they are.
+template <typename Number>
+double channelOf(Number number)
+{
+  return static_cast<double>(number);
+}
+inline double channelOf(unsigned char byte)
+{
+  struct Channels
+  {
+    double values[256];
+    constexpr Channels()
+      : values()
+    {
+      for (int k = 0; k < 256; ++k)
+      {
+        this->values[k] = k / 255.0;
+      }
+    }
+  };
+  static constexpr Channels channels;
+  return channels.values[byte];
+}
+
 class ColorTable
 {
 public:
@@ -39,7 +64,7 @@ public:
   Vec3 color(double value) const
   {
     const Entry entry = this->entry(value);
-    return { entry[0] / 255.0, entry[1] / 255.0, entry[2] / 255.0 };
+    return { channelOf(entry[0]), channelOf(entry[1]), channelOf(entry[2]) };
   }
 
 private:

@@ -4,6 +4,8 @@
 
 #include "RunRange.h"
 
+#include <hwy/cache_control.h>
+
 namespace lambent
 {
 namespace
@@ -46,16 +48,32 @@ SurfaceColor colorOf(const Surface& surface, std::size_t primitive)
 
 void loadColors(const RunRange& range, SampleBatch& batch)
 {
-  for (int run = range.firstRun; run < range.endRun; ++run)
+  const auto forRuns = [&](const auto& body)
   {
-    if (batch.primitives[run] != noPrimitive)
+    for (int run = range.firstRun; run < range.endRun; ++run)
     {
-      const SceneMesh::Part& part = *batch.parts[run];
-      const SurfaceColor color =
-        colorOf(*part.surface, batch.primitives[run] - part.firstPrimitive);
+      if (batch.primitives[run] != noPrimitive)
+      {
+        const SceneMesh::Part& part = *batch.parts[run];
+        body(run, *part.surface, batch.primitives[run] - part.firstPrimitive);
+      }
+    }
+  };
+  forRuns(
+    [](int, const Surface& surface, std::size_t primitive)
+    {
+      if (surface.colors) // scattered in memory
+      {
+        hwy::Prefetch(
+          surface.colors->values.address(static_cast<std::size_t>(surface.cellOf(primitive))));
+      }
+    });
+  forRuns(
+    [&](int run, const Surface& surface, std::size_t primitive)
+    {
+      const SurfaceColor color = colorOf(surface, primitive);
       put(color.diffuse, batch.diffuse, run);
       put(color.ambient, batch.ambient, run);
-    }
-  }
+    });
 }
 }
