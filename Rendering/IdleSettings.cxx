@@ -8,6 +8,7 @@
 #include "PassArrays.h"
 #include "SceneSettings.h"
 
+#include "vtkCellData.h"
 #include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -136,6 +137,42 @@ void addNormalSettings(Messages& messages, const SceneSettings& settings)
   }
 }
 
+/// Whether colours are described but not used.
+bool isAnySet(const InputColors& colors)
+{
+  return !colors.arrayName.empty() || colors.component != 0 || colors.lookupTable ||
+    colors.hasScalarRange || colors.interpolateScalarsBeforeMapping;
+}
+
+void addColors(Messages& messages, const SceneSettings& settings)
+{
+  std::vector<std::size_t> unused, without;
+  for (std::size_t k = 0; k < settings.inputs.size(); ++k)
+  {
+    const SceneSettings::Input& input = settings.inputs[k];
+    if (!input.colors.scalarVisibility && isAnySet(input.colors))
+    {
+      unused.push_back(k);
+    }
+    if (input.colors.scalarVisibility && input.colors.arrayName.empty() &&
+      !input.mesh->GetPointData()->GetScalars() && !input.mesh->GetCellData()->GetScalars())
+    {
+      without.push_back(k);
+    }
+  }
+  if (!unused.empty())
+  {
+    messages.push_back(nameInputs(unused) +
+      ": the settings of its colours have no effect. Call SetInputScalarVisibility() with true.");
+  }
+  if (!without.empty())
+  {
+    messages.push_back(nameInputs(without) +
+      ": SetInputScalarVisibility() has no effect, since there are no active scalars. Call "
+      "SetInputColorArray() with the name of an array.");
+  }
+}
+
 /// Whether the direction of a light is undefined: it is aimed, but its position is its focal point.
 bool isWithoutDirection(vtkLight* light)
 {
@@ -196,6 +233,7 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
     }
   }
   addProperties(messages, settings);
+  addColors(messages, settings);
   addNormalSettings(messages, settings);
   addLights(messages, settings);
   addBackground(messages, settings);

@@ -12,6 +12,8 @@
 #ifndef InputSettings_h
 #define InputSettings_h
 
+#include "InputColors.h"
+
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 
@@ -26,6 +28,7 @@ namespace lambent::adapters
 struct InputSetting
 {
   vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
+  InputColors Colors;
 };
 
 class InputSettings
@@ -34,8 +37,9 @@ public:
   /// The settings by the number of the connection; only those that are set.
   const std::map<int, InputSetting>& all() const { return this->Settings; }
 
-  vtkProperty* property(int connection) const;
-  void setProperty(int connection, vtkProperty* property);
+  /// Those of a connection, which are the default ones if it has none.
+  const InputSetting& of(int connection) const;
+  InputSetting& change(int connection) { return this->Settings[connection]; }
 
   /// Runs `change`, which changes the connections of port 0, and makes the settings follow their
   /// connections. `removed` is the number of the connection that it removes, if known.

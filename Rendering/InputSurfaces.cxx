@@ -122,6 +122,11 @@ void InputSurfaces::computeSmallNormals(
   }
 }
 
+void InputSurfaces::addColors(std::size_t k, const InputColors& settings)
+{
+  forInput(k, [&]() { this->Surfaces[k]->addColors(settings); });
+}
+
 void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& arrays)
 {
   for (std::size_t attribute = 0; attribute < arrays.size(); ++attribute)

@@ -30,6 +30,9 @@ public:
   /// Whether addNormals() has computed any.
   bool hasComputedNormals() const { return this->HasComputedNormals; }
 
+  /// Gives surface k the colours of these settings, which must outlive this object.
+  void addColors(std::size_t k, const InputColors& settings);
+
   /// Gives each surface its arrays, in this order. All inputs that have an array must have the same
   /// number of components.
   void addAttributes(const std::vector<SceneSettings::PassArray>& arrays);

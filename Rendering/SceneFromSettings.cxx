@@ -132,6 +132,10 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
   constexpr double smoothEverywhere = 180.0;
   this->Surfaces.addNormals(this->Settings.usePointNormals,
     this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
+  for (std::size_t k = 0; k < this->Settings.inputs.size(); ++k)
+  {
+    this->Surfaces.addColors(k, this->Settings.inputs[k].colors);
+  }
   this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();
 }

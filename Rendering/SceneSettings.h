@@ -11,6 +11,7 @@
 #ifndef SceneSettings_h
 #define SceneSettings_h
 
+#include "InputColors.h"
 #include "Scene.h"
 
 #include <string>
@@ -30,6 +31,7 @@ struct SceneSettings
   {
     vtkPolyData* mesh = nullptr;
     vtkProperty* property = nullptr; ///< none: that of all inputs
+    InputColors colors;
   };
   std::vector<Input> inputs;
 

@@ -76,6 +76,15 @@ void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& paralle
   }
 }
 
+void SurfaceFromVTK::addColors(const InputColors& settings)
+{
+  if (settings.scalarVisibility)
+  {
+    this->Colors = std::make_unique<ColorsFromVTK>(this->Input, settings, this->Spans);
+    this->Result.colors = this->Colors->colors();
+  }
+}
+
 void SurfaceFromVTK::addAttribute(const SceneSettings::PassArray& wanted)
 {
   vtkDataArray* const array = findArray(this->Input, wanted);

@@ -12,6 +12,7 @@
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
 
+#include "ColorsFromVTK.h"
 #include "CornerNormals.h"
 #include "MergedFaces.h"
 #include "Parallel.h"
@@ -20,6 +21,7 @@
 #include "SpansFromVTK.h"
 #include "Triangulation.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,9 @@ public:
   /// Computes normals, one for each corner (CornerNormals.h).
   void computeNormals(double featureAngle, const Parallel& parallel);
 
+  /// Sets the colours of points or cells. The settings must outlive this object.
+  void addColors(const InputColors& settings);
+
   /// Adds the array of that name, or, if the polydata has none, an empty attribute.
   void addAttribute(const SceneSettings::PassArray& array);
 
@@ -62,6 +67,7 @@ private:
   CornerNormals Normals;                       ///< if they are computed
   UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
+  std::unique_ptr<ColorsFromVTK> Colors; ///< if the scalars are visible
 };
 }
 

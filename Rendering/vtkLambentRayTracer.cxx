@@ -141,21 +141,119 @@ vtkLightCollection* vtkLambentRayTracer::GetLights()
 }
 
 //------------------------------------------------------------------------------
-void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property)
+// Makes a change of a setting of a connection, unless there is no such number.
+template <typename Change>
+void vtkLambentRayTracer::ChangeInput(int connection, const char* method, const Change& change)
 {
   if (connection < 0)
   {
-    vtkErrorMacro("SetInputProperty() was given connection "
-      << connection << "; connections are counted from 0 in the order they were added.");
+    vtkErrorMacro(<< method << "() was given connection " << connection
+                  << "; connections are counted from 0 in the order they were added.");
     return;
   }
-  this->Internal->Inputs.setProperty(connection, property);
+  change(this->Internal->Inputs.change(connection));
   this->Modified();
+}
+
+void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property)
+{
+  this->ChangeInput(
+    connection, "SetInputProperty", [&](InputSetting& setting) { setting.Property = property; });
 }
 
 vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
 {
-  return this->Internal->Inputs.property(connection);
+  return this->Internal->Inputs.of(connection).Property;
+}
+
+//------------------------------------------------------------------------------
+void vtkLambentRayTracer::SetInputScalarVisibility(int connection, bool visibility)
+{
+  this->ChangeInput(connection, "SetInputScalarVisibility",
+    [&](InputSetting& setting) { setting.Colors.scalarVisibility = visibility; });
+}
+
+bool vtkLambentRayTracer::GetInputScalarVisibility(int connection)
+{
+  return this->Internal->Inputs.of(connection).Colors.scalarVisibility;
+}
+
+void vtkLambentRayTracer::SetInputColorArray(int connection, int association, const char* name)
+{
+  this->ChangeInput(connection, "SetInputColorArray",
+    [&](InputSetting& setting)
+    {
+      setting.Colors.association = association;
+      setting.Colors.arrayName = name ? name : "";
+    });
+}
+
+const char* vtkLambentRayTracer::GetInputColorArrayName(int connection)
+{
+  const std::string& name = this->Internal->Inputs.of(connection).Colors.arrayName;
+  return name.empty() ? nullptr : name.c_str();
+}
+
+int vtkLambentRayTracer::GetInputColorArrayAssociation(int connection)
+{
+  return this->Internal->Inputs.of(connection).Colors.association;
+}
+
+void vtkLambentRayTracer::SetInputColorComponent(int connection, int component)
+{
+  this->ChangeInput(connection, "SetInputColorComponent",
+    [&](InputSetting& setting) { setting.Colors.component = component; });
+}
+
+int vtkLambentRayTracer::GetInputColorComponent(int connection)
+{
+  return this->Internal->Inputs.of(connection).Colors.component;
+}
+
+void vtkLambentRayTracer::SetInputLookupTable(int connection, vtkScalarsToColors* table)
+{
+  this->ChangeInput(connection, "SetInputLookupTable",
+    [&](InputSetting& setting) { setting.Colors.lookupTable = table; });
+}
+
+vtkScalarsToColors* vtkLambentRayTracer::GetInputLookupTable(int connection)
+{
+  return this->Internal->Inputs.of(connection).Colors.lookupTable;
+}
+
+void vtkLambentRayTracer::SetInputScalarRange(int connection, double low, double high)
+{
+  this->ChangeInput(connection, "SetInputScalarRange",
+    [&](InputSetting& setting)
+    {
+      setting.Colors.hasScalarRange = true;
+      setting.Colors.scalarRange[0] = low;
+      setting.Colors.scalarRange[1] = high;
+    });
+}
+
+void vtkLambentRayTracer::ResetInputScalarRange(int connection)
+{
+  this->ChangeInput(connection, "ResetInputScalarRange",
+    [&](InputSetting& setting) { setting.Colors.hasScalarRange = false; });
+}
+
+bool vtkLambentRayTracer::GetInputScalarRange(int connection, double range[2])
+{
+  const InputColors& colors = this->Internal->Inputs.of(connection).Colors;
+  std::copy_n(colors.scalarRange, 2, range);
+  return colors.hasScalarRange;
+}
+
+void vtkLambentRayTracer::SetInputInterpolateScalarsBeforeMapping(int connection, bool before)
+{
+  this->ChangeInput(connection, "SetInputInterpolateScalarsBeforeMapping",
+    [&](InputSetting& setting) { setting.Colors.interpolateScalarsBeforeMapping = before; });
+}
+
+bool vtkLambentRayTracer::GetInputInterpolateScalarsBeforeMapping(int connection)
+{
+  return this->Internal->Inputs.of(connection).Colors.interpolateScalarsBeforeMapping;
 }
 
 // The settings of a connection stay with it.
@@ -193,6 +291,7 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
   for (const auto& own : this->Internal->Inputs.all())
   {
     cover(own.second.Property);
+    cover(own.second.Colors.lookupTable);
   }
   cover(this->Internal->Lights);
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -234,8 +333,9 @@ void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSett
 {
   for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
+    const InputSetting& setting = this->Internal->Inputs.of(k);
     scene.inputs.push_back(
-      { polyDataOf(vtkDataObject::GetData(inputs[0], k), k), this->GetInputProperty(k) });
+      { polyDataOf(vtkDataObject::GetData(inputs[0], k), k), setting.Property, setting.Colors });
   }
   scene.camera = this->Camera;
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -272,7 +372,28 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   printObject("Property", this->Property);
   for (const auto& own : this->Internal->Inputs.all())
   {
-    printObject("InputProperty " + std::to_string(own.first), own.second.Property);
+    const std::string number = std::to_string(own.first);
+    printObject("InputProperty " + number, own.second.Property);
+    const InputColors& colors = own.second.Colors;
+    os << indent << "InputScalarVisibility " << number << ": "
+       << (colors.scalarVisibility ? "On" : "Off") << "\n";
+    if (colors.scalarVisibility)
+    {
+      const bool isOfCells = colors.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+      os << indent << "InputColorArray " << number << ": "
+         << (colors.arrayName.empty()
+                ? "(active scalars)"
+                : std::string(isOfCells ? "cell" : "point") + " array " + colors.arrayName)
+         << "\n";
+      os << indent << "InputColorComponent " << number << ": " << colors.component << "\n";
+      printObject("InputLookupTable " + number, colors.lookupTable);
+      os << indent << "InputScalarRange " << number << ": ";
+      colors.hasScalarRange ? os << colors.scalarRange[0] << " to " << colors.scalarRange[1]
+                            : os << "(automatic)";
+      os << "\n"
+         << indent << "InputInterpolateScalarsBeforeMapping " << number << ": "
+         << (colors.interpolateScalarsBeforeMapping ? "On" : "Off") << "\n";
+    }
   }
   printSwitch("UsePointNormals", this->UsePointNormals);
   printSwitch("Splitting", this->Splitting);

@@ -85,6 +85,7 @@ class vtkCamera;
 class vtkLight;
 class vtkLightCollection;
 class vtkProperty;
+class vtkScalarsToColors;
 
 class VTKLAMBENT_EXPORT vtkLambentRayTracer : public vtkLambentAlgorithm
 {
@@ -159,7 +160,83 @@ public:
 
   ///@{
   /**
-   * As in vtkAlgorithm; the properties of SetInputProperty() follow their connections.
+   * Colours from an array of an input, for one connection, as vtkMapper has them in its default
+   * colour mode. They replace the diffuse and the ambient colour of its property; the
+   * coefficients and the light model stay. Default: off; the other settings are used when it is
+   * on. An input without active scalars then keeps the property's colours, with a warning.
+   *
+   * An array of unsigned char is colours itself, with 1 (grey), 2 (grey, alpha), 3 or 4
+   * components; a byte b stands for b / 255. All other arrays are mapped through a table.
+   * Alpha is not used yet. Colours of points are interpolated across a face with the
+   * barycentric coordinates of the hit; colours of cells are constant.
+   */
+  void SetInputScalarVisibility(int connection, bool visibility);
+  bool GetInputScalarVisibility(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * The array: its association, vtkDataObject::FIELD_ASSOCIATION_POINTS or _CELLS, and its
+   * name. Without a name (nullptr or ""), the active scalars of the points are used, or, if
+   * there are none, those of the cells. Default: without a name. An array that does not exist,
+   * is no vtkDataArray, or does not have one tuple per point or cell, is an error.
+   */
+  void SetInputColorArray(int connection, int association, const char* name);
+  const char* GetInputColorArrayName(int connection);
+  int GetInputColorArrayAssociation(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * The component that is mapped, from 0, or -1 for the magnitude of the tuple. A component
+   * that the array does not have is an error. Default: 0.
+   */
+  void SetInputColorComponent(int connection, int component);
+  int GetInputColorComponent(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * The table: a vtkLookupTable (linear or logarithmic, with colours for NaN and for numbers
+   * below and above its range), or any other vtkScalarsToColors, with annotations, too. It is
+   * shared with the caller. Update() never modifies it; changing it makes the image out of
+   * date. As in vtkMapper, a table of the array itself (vtkDataArray::SetLookupTable()) comes
+   * first. A table without colours is an error. Default: none (nullptr), which means a new
+   * vtkLookupTable, from red to blue.
+   */
+  void SetInputLookupTable(int connection, vtkScalarsToColors* table);
+  vtkScalarsToColors* GetInputLookupTable(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * The range of numbers that the table covers. It has no effect on tables that have a fixed
+   * one, such as a vtkColorTransferFunction. A range that is reversed or not finite is an
+   * error, as is one that does not lie above 0 if the table is logarithmic. Default: none, or
+   * none again after ResetInputScalarRange(); then the range is that of the table, or, if no
+   * table is set, that of the array's finite numbers. GetInputScalarRange() returns whether a
+   * range is set.
+   */
+  void SetInputScalarRange(int connection, double low, double high);
+  void ResetInputScalarRange(int connection);
+  bool GetInputScalarRange(int connection, double range[2]);
+  ///@}
+
+  ///@{
+  /**
+   * Interpolate the numbers of points across a face, and map them at each hit. Otherwise the
+   * colours of points are interpolated, which may give colours that are not in the table. Not
+   * used for cell arrays and tables with annotations, as in vtkMapper. A vtkLookupTable is
+   * used as it is; other tables are sampled at the middle of 4096 intervals. Default: off.
+   */
+  void SetInputInterpolateScalarsBeforeMapping(int connection, bool before);
+  bool GetInputInterpolateScalarsBeforeMapping(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * As in vtkAlgorithm; the settings of SetInputProperty() and the other SetInput... methods
+   * follow their connections.
    */
   void SetInputConnection(int port, vtkAlgorithmOutput* input) override;
   void SetInputConnection(vtkAlgorithmOutput* input) override
@@ -207,7 +284,7 @@ public:
 
   /**
    * The latest modification time of this filter, the camera, the lights (with their
-   * transform matrices) and the properties.
+   * transform matrices), the properties and the lookup tables.
    */
   vtkMTimeType GetMTime() override;
 
@@ -230,6 +307,9 @@ protected:
 private:
   vtkLambentRayTracer(const vtkLambentRayTracer&) = delete;
   void operator=(const vtkLambentRayTracer&) = delete;
+
+  template <typename Change>
+  void ChangeInput(int connection, const char* method, const Change& change);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

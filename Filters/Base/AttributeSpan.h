@@ -66,6 +66,13 @@ struct AttributeSpan
     return body(static_cast<const double*>(this->data));
   }
 
+  /// The address of a tuple, for prefetching.
+  const void* address(std::size_t tuple) const
+  {
+    return this->visit([&](const auto* values) -> const void*
+      { return values + tuple * static_cast<std::size_t>(this->components); });
+  }
+
   /// A component of a tuple; integers beyond 2^53 are rounded.
   double at(std::size_t tuple, int component) const
   {

@@ -20,6 +20,7 @@ struct Pair
 
 constexpr Pair RadiansPerDegree{ 0.017453292519943295, 2.9486522708701687e-19 };
 constexpr Pair NaturalLogOf2{ 0.6931471805599453, 2.3190468138462996e-17 };
+constexpr Pair InverseLogOf10{ 0.4342944819032518, 1.098319650216765e-17 };
 constexpr Pair OneThird{ 0.3333333333333333, 1.850371707708594e-17 };
 constexpr Pair OneFifth{ 0.2, -1.1102230246251566e-17 };
 
@@ -165,6 +166,26 @@ Pair wholePower(double mantissa, int exponent)
   return result;
 }
 
+/// mantissa 2^exponent, with a mantissa between sqrt(1/2) and sqrt(2).
+struct Scaled
+{
+  double mantissa;
+  int exponent;
+};
+
+Scaled scale(double x)
+{
+  constexpr double squareRootOfHalf = 0.7071067811865476;
+  Scaled result{};
+  result.mantissa = std::frexp(x, &result.exponent);
+  if (result.mantissa < squareRootOfHalf)
+  {
+    result.mantissa *= 2.0;
+    --result.exponent;
+  }
+  return result;
+}
+
 /// ln(m) for m between sqrt(1/2) and sqrt(2), by the series for 2 artanh(s).
 Pair logarithm(double m)
 {
@@ -179,6 +200,11 @@ Pair logarithm(double m)
   const Pair fromThird = sum(OneThird, product(z, fromFifth));
   const Pair series = sum(Pair{ 1.0, 0.0 }, product(z, fromThird));
   return product(product(s, series), 2.0);
+}
+
+Pair logarithm(const Scaled& x)
+{
+  return sum(product(NaturalLogOf2, x.exponent), logarithm(x.mantissa));
 }
 
 /// exp(x), for |x| up to 800: beyond the range of a double in both directions.
@@ -238,7 +264,6 @@ double tanDegrees(double angle)
 
 double power(double base, double exponent)
 {
-  constexpr double squareRootOfHalf = 0.7071067811865476;
   constexpr double largestWholeExponent = 1024.0;
   constexpr double largestLogarithm = 800.0;
   if (exponent == 0.0)
@@ -258,24 +283,27 @@ double power(double base, double exponent)
     return base;
   }
 
-  int binaryExponent = 0;
-  double mantissa = std::frexp(base, &binaryExponent);
-  if (mantissa < squareRootOfHalf)
-  {
-    mantissa *= 2.0;
-    --binaryExponent;
-  }
+  const Scaled scaled = scale(base);
   if (exponent <= largestWholeExponent && std::floor(exponent) == exponent)
   {
     const int whole = static_cast<int>(exponent);
-    return std::ldexp(wholePower(mantissa, whole).high, binaryExponent * whole);
+    return std::ldexp(wholePower(scaled.mantissa, whole).high, scaled.exponent * whole);
   }
 
-  const Pair log = sum(product(NaturalLogOf2, binaryExponent), logarithm(mantissa));
+  const Pair log = logarithm(scaled);
   if (!(std::fabs(log.high * exponent) <= largestLogarithm))
   {
     return log.high < 0.0 ? 0.0 : Infinity;
   }
   return exponential(product(log, exponent));
+}
+
+double decimalLogarithm(double x)
+{
+  if (!(x > 0.0) || x == Infinity)
+  {
+    return x == 0.0 ? -Infinity : x == Infinity ? Infinity : NotANumber;
+  }
+  return product(logarithm(scale(x)), InverseLogOf10).high + 0.0;
 }
 }

@@ -48,6 +48,16 @@ double tanDegrees(double angle);
  * doubles: ln(m) = 2 artanh((m - 1) / (m + 1)), and Taylor series for both.
  */
 double power(double base, double exponent);
+
+/**
+ * Decimal logarithm.
+ *
+ * Domain: every number greater than 0; 0 gives -infinity, infinity itself, anything
+ * else NaN. Accuracy: 1 ulp, and exact for powers of ten that are doubles.
+ *
+ * Method: ln(x) in two doubles as for power(), times 1 / ln(10) in two doubles.
+ */
+double decimalLogarithm(double x);
 }
 
 #endif

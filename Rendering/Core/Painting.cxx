@@ -159,12 +159,13 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
   RunRange range;
   while (range.moveOn(this->Points.mesh(), batch))
   {
-    if (range.isUnlit)
+    const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
+    if (isOfPrimitives && range.isUnlit)
     {
       this->shadeUnlit(range, batch, points);
       continue;
     }
-    if (!range.appearance)
+    if (isOfPrimitives && !range.appearance)
     {
       loadColors(range, batch);
     }
@@ -242,7 +243,7 @@ void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch*
   {
     for (int channel = 0; batch.isHit(place) && channel < 3; ++channel)
     {
-      batch.colors[channel][place] = batch.diffuse[channel][place];
+      batch.colors[channel][place] = batch.diffuse[channel][batch.run[place]];
     }
   }
 }

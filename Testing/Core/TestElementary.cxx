@@ -250,3 +250,30 @@ TEST_F(Elementary, PowerEqualsSquareRootsAndSquares)
     EXPECT_LE(ulps(lambent::power(x, 2.0), static_cast<long double>(x) * x), 0.5) << x;
   }
 }
+
+TEST_F(Elementary, DecimalLogarithmIsAccurate)
+{
+  Worst worst;
+  for (int i = 0; i < Arguments; ++i)
+  {
+    // Of any magnitude, and near 1, where the logarithm is near 0.
+    const double x = i % 2
+      ? std::ldexp(this->uniform(0.5, 1.0), int(this->uniform(-1000.0, 1000.0)))
+      : 1.0 + std::ldexp(this->uniform(-1.0, 1.0), -int(this->uniform(1.0, 50.0)));
+    worst.take(ulps(lambent::decimalLogarithm(x), log10l(static_cast<long double>(x))), x);
+  }
+  EXPECT_TRUE(isWithin(worst, 1.0));
+}
+
+TEST(ElementaryExact, DecimalLogarithm)
+{
+  double power = 1.0;
+  for (int k = 0; k <= 22; ++k, power *= 10.0) // exact in double
+  {
+    EXPECT_EQ(lambent::decimalLogarithm(power), k);
+  }
+  EXPECT_EQ(lambent::decimalLogarithm(0.0), -Infinity);
+  EXPECT_EQ(lambent::decimalLogarithm(Infinity), Infinity);
+  EXPECT_TRUE(std::isnan(lambent::decimalLogarithm(-1.0)));
+  EXPECT_TRUE(std::isnan(lambent::decimalLogarithm(NotANumber)));
+}

@@ -12,6 +12,7 @@
 #include "Scene.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -70,6 +71,9 @@ struct MeshData
   std::vector<std::int32_t> corners32;
   std::vector<std::int64_t> corners64;
   std::vector<std::vector<std::uint8_t>> attributes;
+  std::array<std::uint8_t, 20> entries{};
+  std::unique_ptr<lambent::ColorTable> table;
+  lambent::ColorArray colors;
   lambent::Surface surface;
 
   MeshData(FuzzInput& input, int pointCount, int triangleCount, int attributeCount)
@@ -111,6 +115,33 @@ struct MeshData
     for (int k = 0; k < attributeCount; ++k)
     {
       this->addAttribute(input, k % 2 == 0 ? pointCount : triangleCount, k % 2 != 0);
+    }
+    if (attributeCount > 0 && input.flag())
+    {
+      this->addColors(input);
+    }
+  }
+
+  /// Takes the colours from an attribute, if it has values.
+  void addColors(FuzzInput& input)
+  {
+    this->colors.values =
+      this->surface.attributes[input.choice(static_cast<int>(this->surface.attributes.size()))];
+    if (!this->colors.values)
+    {
+      return;
+    }
+    this->surface.colors = &this->colors;
+    if (input.flag())
+    {
+      std::generate(this->entries.begin(), this->entries.end(), [&]() { return input.byte(); });
+      const bool isLogarithmic = input.flag();
+      const double low = isLogarithmic ? input.within(1e-9, 9.0) : input.within(-9.0, 9.0);
+      this->table = std::make_unique<lambent::ColorTable>(this->entries.data(),
+        this->entries.size() / 4, low, low + input.within(0.0, 9.0), isLogarithmic);
+      this->colors.table = this->table.get();
+      this->colors.component = input.choice(attributeComponents + 1) - 1;
+      this->colors.isMappedLast = !this->colors.values.isPerCell && input.flag();
     }
   }
 

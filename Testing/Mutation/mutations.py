@@ -63,6 +63,12 @@ ATTRIBUTE = "Filters/Base/AttributeSpan.h"
 SPANS = "Filters/SpansFromVTK.cxx"
 INPUTS = "Rendering/InputSurfaces.cxx"
 PASS_ARRAYS = "Rendering/PassArrays.cxx"
+COLOR_TABLE = "Rendering/Core/Scene/ColorTable.cxx"
+COLOR_TABLE_HEADER = "Rendering/Core/Scene/ColorTable.h"
+COLOR_ARRAY = "Rendering/Core/Scene/ColorArray.h"
+SURFACE_COLOR = "Rendering/Core/SurfacePoints/SurfaceColor.cxx"
+VECTOR_COLOR = "Rendering/Core/SurfacePoints/VectorSurfaceColor.h"
+COLORS = "Rendering/ColorsFromVTK.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -206,7 +212,7 @@ MUTATIONS = [
     (FILM, "(row * n + n / 2) * stride", "(row * n) * stride", "triangle ids are those of the middle sample"),
     (RUN_RANGE, "if (!current || !current->holds(primitive))", "if (!current)",
      "each run has its own surface"),
-    (PAINTING, "if (!range.appearance)", "if (false)",
+    (PAINTING, "if (isOfPrimitives && !range.appearance)", "if (false)",
      "surfaces shaded together keep their colours"),
     (RUN_RANGE, "|| (!this->isUnlit && other.isSmooth != this->isSmooth)", "",
      "flat and smooth surfaces are not shaded together"),
@@ -399,4 +405,30 @@ MUTATIONS = [
     (SCENE_MESH, "block.last == block.first ? block.replacement : block.last", "block.last",
      "blocks of surfaces with one appearance"),
     (SCENE_MESH, "part.firstPoint += block.points;", "", "points are counted over all surfaces"),
+
+    # Colours from arrays.
+    (ELEMENTARY, "product(logarithm(scale(x)), InverseLogOf10).high",
+     "logarithm(scale(x)).high * InverseLogOf10.high", "decimal logarithms are accurate"),
+    (COLOR_TABLE, "if (place > this->High)", "if (place >= this->High)",
+     "the end of the range is in the range"),
+    (COLOR_TABLE, "(place - this->Low) * this->Factor", "(place - this->Low) * this->Factor + 0.5",
+     "intervals of a table begin at the low end"),
+    (COLOR_TABLE, "if (this->IsLogarithmic && !(value > 0.0))", "if (false)",
+     "numbers without a logarithm have the first colour"),
+    (COLOR_ARRAY, "sum += value * value;", "sum = value * value;", "all components count"),
+    (COLOR_TABLE_HEADER, "k / 255.0", "k / 256.0", "255 is 1"),
+    (SURFACE_COLOR, "surface.cellOf(primitive)", "primitive", "colours are those of cells"),
+    (SURFACE_COLOR, "color * appearance.ambient }", "appearance.ambientReflection() }",
+     "colours of arrays replace the ambient colour"),
+    (TRIANGLE_POINTS, "colors->number(point(2)) * weights.z;", "colors->number(point(2)) * weights.y;",
+     "numbers are interpolated"),
+    (VECTOR_COLOR, "hn::Mul(runs(rows[6 + k]), weights.z)", "hn::Mul(runs(rows[6 + k]), weights.y)",
+     "colours are interpolated in vectors"),
+    (LOADING, "isLit ? part.appearance->diffuse : 1.0", "part.appearance->diffuse",
+     "unlit colours are not multiplied"),
+    (RUN_RANGE, "other.colorSource != this->colorSource", "false",
+     "sources of colours are not shaded together"),
+    (COLORS, "isOfCells = !this->Array;", "isOfCells = false;", "active scalars of cells are found"),
+    (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
+    (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
 ]

@@ -26,6 +26,40 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
     this->Result.cellNormals = keep(body.cellNormals, this->CellNormals);
   }
   this->Result.appearance = body.appearance;
+  if (!body.colors.array.empty())
+  {
+    this->setColors(body);
+  }
+}
+
+void BodySurface::setColors(const Body& body)
+{
+  this->ColorSettings = body.colors; // keeps the entries
+  const StageColors& colors = this->ColorSettings;
+  for (const StageArray& array : body.arrays)
+  {
+    if (array.name == colors.array && array.isPerCell == colors.isPerCell)
+    {
+      this->ColorValues = array.memory();
+      this->Colors.values = { this->ColorValues.data(), array.type, array.components,
+        array.isPerCell };
+    }
+  }
+  this->Colors.component = colors.component;
+  this->Colors.isMappedLast = colors.isMappedLast;
+  if (!colors.entries.empty())
+  {
+    this->Table = std::make_unique<lambent::ColorTable>(
+      colors.entries.data(), colors.entryCount(), colors.low, colors.high, colors.isLogarithmic);
+    if (colors.hasSpecialColors)
+    {
+      this->Table->setNotANumber(colors.special(0));
+      this->Table->setBelow(colors.special(1));
+      this->Table->setAbove(colors.special(2));
+    }
+    this->Colors.table = this->Table.get();
+  }
+  this->Result.colors = &this->Colors;
 }
 
 void BodySurface::setPoints(const Body& body)

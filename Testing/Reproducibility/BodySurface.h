@@ -14,6 +14,8 @@
 #include "Parallel.h"
 #include "Triangulation.h"
 
+#include <memory>
+
 /// The surface and the memory that its spans point to.
 class BodySurface
 {
@@ -41,6 +43,7 @@ private:
   /// Polygons, and the triangles of strips.
   lambent::CheckedFaces faces(const lambent::Parallel& parallel) const;
   void setPoints(const Body& body);
+  void setColors(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
   lambent::TupleSpan points() const;
   lambent::CellSpan cells() const;
@@ -58,6 +61,10 @@ private:
   lambent::CornerNormals Normals;
   lambent::UnwrittenVector<std::int32_t> NormalNumbers;
   std::vector<std::vector<unsigned char>> Attributes;
+  StageColors ColorSettings;
+  std::vector<unsigned char> ColorValues;
+  std::unique_ptr<lambent::ColorTable> Table;
+  lambent::ColorArray Colors;
   lambent::Surface Result;
 };
 

@@ -27,6 +27,7 @@ SceneList viewScenes();
 SceneList sampleScenes();
 SceneList filmScenes();
 SceneList passScenes();
+SceneList colorScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList crowdScenes();

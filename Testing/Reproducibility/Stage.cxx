@@ -115,6 +115,13 @@ Body& Body::cellArray(const std::string& name, int components, lambent::Attribut
   return *this;
 }
 
+StageColors& Body::colorBy(const std::string& name, bool isPerCell)
+{
+  this->colors.array = name;
+  this->colors.isPerCell = isPerCell;
+  return this->colors;
+}
+
 Stage::Stage()
 {
   this->look({ 2.0, 1.5, 4.0 }, Vec3(0.0));

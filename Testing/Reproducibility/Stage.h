@@ -31,6 +31,27 @@ struct StageArray
   std::vector<unsigned char> memory() const;
 };
 
+/// Where the colours of a body come from.
+struct StageColors
+{
+  std::string array; ///< empty: from the appearance
+  bool isPerCell = false;
+  int component = 0;
+  /// A table of four bytes per entry, or none. With special colours, the last three entries are for
+  /// NaN, below and above the range.
+  std::vector<unsigned char> entries;
+  bool hasSpecialColors = false;
+  double low = 0.0, high = 1.0;
+  bool isLogarithmic = false;
+  bool isMappedLast = false;
+
+  std::size_t entryCount() const
+  {
+    return this->entries.size() / 4 - (this->hasSpecialColors ? 3 : 0);
+  }
+  const unsigned char* special(int k) const { return &this->entries[4 * (this->entryCount() + k)]; }
+};
+
 /// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
 {
@@ -42,6 +63,7 @@ struct Body
   std::vector<Vec3> cellNormals;  ///< one per cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
   std::vector<StageArray> arrays; ///< attributes
+  StageColors colors;
   lambent::Appearance appearance;
 
   /// Sets the diffuse colour, which is also the plain one, and the ambient colour.
@@ -56,6 +78,8 @@ struct Body
   Body& strips();
   /// Adds a point array whose values are computed from the coordinates.
   Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
+  /// Takes the colours from an array that is added before or afterwards.
+  StageColors& colorBy(const std::string& name, bool isPerCell);
   /// Adds a cell array whose values vary from cell to cell.
   Body& cellArray(const std::string& name, int components, lambent::AttributeType type);
 };

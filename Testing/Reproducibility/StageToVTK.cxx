@@ -11,6 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -126,6 +127,37 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
   property->SetFrontfaceCulling(appearance.cullFront);
   property->SetBackfaceCulling(appearance.cullBack);
   return property;
+}
+
+vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors)
+{
+  if (colors.entries.empty())
+  {
+    return nullptr;
+  }
+  const auto channel = [](unsigned char byte) { return byte / 255.0; };
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.entryCount()));
+  table->SetRange(colors.low, colors.high);
+  table->SetScale(colors.isLogarithmic ? VTK_SCALE_LOG10 : VTK_SCALE_LINEAR);
+  table->Build();
+  for (std::size_t k = 0; k < colors.entryCount(); ++k)
+  {
+    const unsigned char* const entry = &colors.entries[4 * k];
+    table->SetTableValue(
+      static_cast<vtkIdType>(k), channel(entry[0]), channel(entry[1]), channel(entry[2]));
+  }
+  if (colors.hasSpecialColors)
+  {
+    const unsigned char *const none = colors.special(0), *const below = colors.special(1),
+                               *const above = colors.special(2);
+    table->SetNanColor(channel(none[0]), channel(none[1]), channel(none[2]), 1.0);
+    table->SetBelowRangeColor(channel(below[0]), channel(below[1]), channel(below[2]), 1.0);
+    table->SetAboveRangeColor(channel(above[0]), channel(above[1]), channel(above[2]), 1.0);
+    table->UseBelowRangeColorOn();
+    table->UseAboveRangeColorOn();
+  }
+  return table;
 }
 
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera)

@@ -15,6 +15,7 @@ class vtkCamera;
 class vtkDataArray;
 class vtkImageData;
 class vtkLight;
+class vtkLookupTable;
 class vtkPolyData;
 class vtkProperty;
 
@@ -22,6 +23,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
+vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors);
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);
 

@@ -11,6 +11,7 @@
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -49,7 +50,20 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
   for (const Body& body : prepared(stage.bodies, manner.shuffle))
   {
     tracer->AddInputDataObject(toPolyData(body));
-    tracer->SetInputProperty(input++, toProperty(body.appearance));
+    tracer->SetInputProperty(input, toProperty(body.appearance));
+    const StageColors& colors = body.colors;
+    if (!colors.array.empty())
+    {
+      tracer->SetInputScalarVisibility(input, true);
+      tracer->SetInputColorArray(input,
+        colors.isPerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                         : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+        colors.array.c_str());
+      tracer->SetInputColorComponent(input, colors.component);
+      tracer->SetInputLookupTable(input, toTable(colors));
+      tracer->SetInputInterpolateScalarsBeforeMapping(input, colors.isMappedLast);
+    }
+    ++input;
   }
   if (input == 0)
   {

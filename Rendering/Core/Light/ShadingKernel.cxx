@@ -20,17 +20,11 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-Vector3 loadAt(const double (*rows)[SampleBatch::places], int place)
-{
-  return { hn::LoadU(d, rows[0] + place), hn::LoadU(d, rows[1] + place),
-    hn::LoadU(d, rows[2] + place) };
-}
-
-/// Shades the samples of a range. reflectionAt(place) returns the reflection of several samples,
-/// keep(point, isWanted, place) receives their surface points.
-template <typename Points, typename Reflecting, typename Keep>
-void shade(const Points& points, const LightModel& light, const RunRange& range,
-  const Reflecting& reflectionAt, const Keep& keep, SampleBatch& batch)
+/// Shades the samples of a range. colorOf(runs, point, place) returns the colours of several
+/// samples, keep(point, isWanted, place) receives their surface points.
+template <typename Points, typename ColorOf, typename Keep>
+void shade(const Points& points, const RunRange& range, const ColorOf& colorOf, const Keep& keep,
+  SampleBatch& batch)
 {
   for (int place = VectorSamples::begin(range); place < range.end; place += static_cast<int>(lanes))
   {
@@ -41,53 +35,68 @@ void shade(const Points& points, const LightModel& light, const RunRange& range,
     }
     const VectorSurfacePoint point = points.at(samples.runs, samples.x(), samples.y());
     keep(point, samples.isWanted, place);
-    const Vector3 color = lit(light, reflectionAt(place), point);
+    const Vector3 color = colorOf(samples.runs, point, place);
     storeWhere(samples.isWanted, color.x, batch.colors[0] + place);
     storeWhere(samples.isWanted, color.y, batch.colors[1] + place);
     storeWhere(samples.isWanted, color.z, batch.colors[2] + place);
   }
 }
 
+/// Shades a range that has one colour.
 template <typename Points, typename Keep>
-void shade(const Points& points, const LightModel& light, const RunRange& range, const Keep& keep,
-  SampleBatch& batch)
+void shadeUniform(const Points& points, const LightModel& light, const RunRange& range,
+  const Keep& keep, SampleBatch& batch)
 {
-  if (range.appearance)
-  {
-    const SurfaceColor color = colorOf(*range.appearance);
-    const Reflection reflection{ set(color.diffuse), set(color.ambient) };
-    shade(
-      points, light, range, [&](int) { return reflection; }, keep, batch);
-  }
-  else
-  {
-    shade(
-      points, light, range,
-      [&](int place) {
-        return Reflection{ loadAt(batch.diffuse, place), loadAt(batch.ambient, place) };
-      },
-      keep, batch);
-  }
+  const SurfaceColor color = colorOf(*range.appearance);
+  const VectorSurfaceColor reflection{ set(color.diffuse), set(color.ambient) };
+  shade(
+    points, range,
+    [&](const Runs&, const VectorSurfacePoint& point, int)
+    { return lit(light, reflection, point); },
+    keep, batch);
+}
+
+/// Shades a range with several colours, which may be unlit.
+template <typename Points, typename Keep>
+void shadeColored(const Points& points, const LightModel& light, const RunRange& range,
+  const Keep& keep, SampleBatch& batch)
+{
+  const VectorColors colors(range, batch);
+  shade(
+    points, range,
+    [&](const Runs& runs, const VectorSurfacePoint& point, int place)
+    {
+      const VectorSurfaceColor color = colors.at(runs, point, place);
+      return range.isUnlit ? color.diffuse : lit(light, color, point);
+    },
+    keep, batch);
 }
 
 void ShadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result)
 {
   const Vector3 eye = set(points.eye());
+  const auto keep = [&](const VectorSurfacePoint& point, M isWanted, int place)
+  {
+    if (result)
+    {
+      store(point, eye, isWanted, *result, place);
+    }
+  };
   withPoints(points, range, batch,
     [&](const auto& vectorPoints)
     {
-      if (result)
+      if (!range.appearance)
       {
-        shade(
-          vectorPoints, light, range,
-          [&](const VectorSurfacePoint& point, M isWanted, int place)
-          { store(point, eye, isWanted, *result, place); },
-          batch);
+        shadeColored(vectorPoints, light, range, keep, batch);
+      }
+      else if (result)
+      {
+        shadeUniform(vectorPoints, light, range, keep, batch);
       }
       else
       {
-        shade(
+        shadeUniform(
           vectorPoints, light, range, [](const VectorSurfacePoint&, M, int) {}, batch);
       }
     });

@@ -17,9 +17,9 @@
 
 namespace lambent
 {
-/// Computes the colours of the samples in a range, none of which is unlit. Stores their surface
-/// points, too, unless `result` is nullptr. The samples' diffuse and ambient reflection must be
-/// loaded, unless the range has one appearance.
+/// Computes the colours of the samples in a range, and stores their surface points, too, unless
+/// `result` is nullptr. If the range has several colours and their source is the primitives,
+/// loadColors() must have been called.
 void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result = nullptr);
 }

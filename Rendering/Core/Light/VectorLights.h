@@ -14,7 +14,7 @@
 #endif
 
 #include "LightModel.h"
-#include "VectorSurfacePoint.h"
+#include "VectorSurfaceColor.h"
 
 #include "Elementary.h"
 
@@ -49,15 +49,9 @@ inline V arriving(const LightSource& source, const Vector3& toLight, V distance)
   return hn::IfThenElse(hn::Gt(distance, hn::Zero(d)), fraction, one);
 }
 
-/// rho_d and rho_a in each lane.
-struct Reflection
-{
-  Vector3 diffuse, ambient;
-};
-
 /// LightModel::color() for points that are not unlit.
 HWY_INLINE Vector3 lit(
-  const LightModel& model, const Reflection& reflection, const VectorSurfacePoint& point)
+  const LightModel& model, const VectorSurfaceColor& reflection, const VectorSurfacePoint& point)
 {
   const V zero = hn::Zero(d);
   const V normalSquare = dot(point.normal, point.normal);

@@ -23,6 +23,14 @@
 
 namespace lambent
 {
+/// Where the colour of a hit comes from.
+enum class ColorSource : unsigned char
+{
+  Primitive,    ///< the appearance, or the colour of the cell
+  Interpolated, ///< the colours of the points
+  MappedLast    ///< a table, and the interpolated numbers of the points
+};
+
 class SceneMesh
 {
 public:
@@ -52,7 +60,8 @@ public:
       , HasDoubleNormals(s.pointNormals.isDouble)
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
-          (a.isCulling() ? Culling : 0)))
+          (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0)))
+      , Source(sourceOf(s.colors))
     {
     }
 
@@ -64,6 +73,9 @@ public:
     bool hasNormalNumbers() const { return (this->Flags & NormalNumbers) != 0; }
     bool hasCellNormals() const { return (this->Flags & CellNormals) != 0; }
     bool isCulling() const { return (this->Flags & Culling) != 0; }
+    ColorSource colorSource() const { return this->Source; }
+    /// Whether all hits have the same colour, before they are lit.
+    bool hasOneColor() const { return (this->Flags & Colored) == 0; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -75,18 +87,27 @@ public:
     }
 
   private:
+    static ColorSource sourceOf(const ColorArray* colors)
+    {
+      return !colors || colors->values.isPerCell ? ColorSource::Primitive
+        : colors->isMappedLast                   ? ColorSource::MappedLast
+                                                 : ColorSource::Interpolated;
+    }
+
     enum : unsigned char
     {
       Smooth = 1,
       NormalNumbers = 2,
       CellNormals = 4,
-      Culling = 8
+      Culling = 8,
+      Colored = 16
     };
     const void* Points;
     const void* Corners;
     const void* Normals;
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
+    ColorSource Source;
   };
   static_assert(sizeof(Part) == 64);
 

@@ -9,6 +9,7 @@
 
 #include "Arithmetic.h"
 #include "AttributeSpan.h"
+#include "ColorArray.h"
 #include "Spans.h"
 
 #include <cstddef>
@@ -76,6 +77,8 @@ struct Surface
   std::vector<AttributeSpan> attributes;
 
   Appearance appearance;
+  /// Colours of points or cells, which replace the diffuse and the ambient colour, or nullptr.
+  const ColorArray* colors = nullptr;
 
   // Origin.
   /// The cell of each triangle. If nullptr, the cell is firstCell + triangle.

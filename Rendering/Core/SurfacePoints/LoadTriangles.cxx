@@ -19,7 +19,7 @@ void put(double (*rows)[SampleBatch::room], int run, const Vec3& v)
 
 /// partOf(run): the surface that a run hits. Points and normals are scattered in memory, so all are
 /// prefetched before any is read.
-template <bool IsSmooth, typename PartOf>
+template <bool IsSmooth, bool IsColored, typename PartOf>
 void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
 {
   int runs[SampleBatch::places];
@@ -52,6 +52,10 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
       const std::uint64_t point = part.corners()[first + corner];
       corners[k][corner] = point;
       hwy::Prefetch(part.points().at(point));
+      if (IsColored)
+      {
+        hwy::Prefetch(part.surface->colors->values.address(point));
+      }
       if (IsSmooth)
       {
         const std::uint64_t normal =
@@ -84,18 +88,71 @@ void load(const RunRange& range, const PartOf& partOf, SampleBatch& batch)
   }
 }
 
-template <bool IsSmooth>
+/// Loads what the points of a triangle contribute to its colour. `values` are those of the array,
+/// with their own type.
+template <typename Value>
+void loadCornerColors(
+  const ColorArray& colors, const Value* values, const RunRange& range, int run, SampleBatch& batch)
+{
+  const SceneMesh::Part& part = *batch.parts[run];
+  const std::size_t first = 3 * (batch.primitives[run] - part.firstPrimitive);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const std::size_t point = part.corners()[first + static_cast<std::size_t>(corner)];
+    double(*const rows)[SampleBatch::room] = batch.cornerColors + 3 * corner;
+    if (range.colorSource == ColorSource::MappedLast)
+    {
+      rows[0][run] = colors.numberIn(values, point);
+    }
+    else
+    {
+      put(rows, run, colors.colorIn(values, point));
+    }
+  }
+  batch.coefficients[0][run] = range.isUnlit ? 1.0 : part.appearance->diffuse;
+  batch.coefficients[1][run] = range.isUnlit ? 0.0 : part.appearance->ambient;
+}
+
+void loadCornerColors(const RunRange& range, SampleBatch& batch)
+{
+  const auto forRuns = [&](const auto& body)
+  {
+    for (int run = range.firstRun; run < range.endRun; ++run)
+    {
+      if (batch.primitives[run] != noPrimitive)
+      {
+        body(run);
+      }
+    }
+  };
+  if (range.part)
+  {
+    const ColorArray& colors = *range.part->surface->colors;
+    colors.values.visit([&](const auto* values)
+      { forRuns([&](int run) { loadCornerColors(colors, values, range, run, batch); }); });
+    return;
+  }
+  forRuns(
+    [&](int run)
+    {
+      const ColorArray& colors = *batch.parts[run]->surface->colors;
+      colors.values.visit(
+        [&](const auto* values) { loadCornerColors(colors, values, range, run, batch); });
+    });
+}
+
+template <bool IsSmooth, bool IsColored>
 void load(const RunRange& range, SampleBatch& batch)
 {
   if (range.part)
   {
     const SceneMesh::Part& part = *range.part;
-    load<IsSmooth>(
+    load<IsSmooth, IsColored>(
       range, [&part](int) -> const SceneMesh::Part& { return part; }, batch);
   }
   else
   {
-    load<IsSmooth>(
+    load<IsSmooth, IsColored>(
       range, [&batch](int run) -> const SceneMesh::Part& { return *batch.parts[run]; }, batch);
   }
 }
@@ -103,6 +160,12 @@ void load(const RunRange& range, SampleBatch& batch)
 
 void loadTriangles(const RunRange& range, SampleBatch& batch)
 {
-  range.isSmooth ? load<true>(range, batch) : load<false>(range, batch);
+  if (range.colorSource == ColorSource::Primitive)
+  {
+    range.isSmooth ? load<true, false>(range, batch) : load<false, false>(range, batch);
+    return;
+  }
+  range.isSmooth ? load<true, true>(range, batch) : load<false, true>(range, batch);
+  loadCornerColors(range, batch);
 }
 }

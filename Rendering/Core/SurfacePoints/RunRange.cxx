@@ -7,7 +7,8 @@ namespace lambent
 void RunRange::begin(const SceneMesh::Part& first)
 {
   this->part = &first;
-  this->appearance = first.appearance;
+  this->appearance = first.hasOneColor() ? first.appearance : nullptr;
+  this->colorSource = first.colorSource();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
@@ -19,7 +20,8 @@ bool RunRange::join(const SceneMesh::Part& next)
 {
   RunRange other;
   other.begin(next);
-  if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth))
+  if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth) ||
+    other.colorSource != this->colorSource)
   {
     return false;
   }

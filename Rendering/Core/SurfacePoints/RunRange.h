@@ -20,7 +20,8 @@ struct RunRange
   bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
   bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
   const SceneMesh::Part* part = nullptr;  ///< if all runs have the same
-  const Appearance* appearance = nullptr; ///< if all runs have the same
+  const Appearance* appearance = nullptr; ///< if it gives all runs their colour
+  ColorSource colorSource = ColorSource::Primitive;
 
   /// Moves to the runs after the current ones, up to the first that is shaded in another way. Runs
   /// that hit nothing are included. Fills in the parts of the runs. Returns false if none of the

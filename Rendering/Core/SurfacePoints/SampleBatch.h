@@ -52,10 +52,16 @@ struct SampleBatch
   /// At a, b and c, or one of the face.
   alignas(64) double normals[9][room] = {};
 
+  // Colours of a range that has several, by its ColorSource.
+  /// Primitive: SurfaceColor of each run.
+  alignas(64) double diffuse[3][room] = {};
+  alignas(64) double ambient[3][room] = {};
+  /// Interpolated: the colours at a, b and c. MappedLast: the numbers there, in rows 0, 3 and 6.
+  alignas(64) double cornerColors[9][room] = {};
+  /// Interpolated and MappedLast: what the colour is multiplied by, for diffuse and ambient.
+  alignas(64) double coefficients[2][room] = {};
+
   // One value per sample.
-  /// SurfaceColor, if a range has several.
-  alignas(64) double diffuse[3][places];
-  alignas(64) double ambient[3][places];
   /// Red, green and blue, and alpha if the image has it.
   alignas(64) double colors[4][places] = {};
 

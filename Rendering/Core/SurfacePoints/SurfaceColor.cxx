@@ -4,15 +4,17 @@
 
 #include "RunRange.h"
 
+#include <hwy/cache_control.h>
+
 namespace lambent
 {
 namespace
 {
-void put(const Vec3& color, double (*channels)[SampleBatch::places], int place)
+void put(const Vec3& color, double (*channels)[SampleBatch::room], int run)
 {
   for (int channel = 0; channel < 3; ++channel)
   {
-    channels[channel][place] = color[channel];
+    channels[channel][run] = color[channel];
   }
 }
 }
@@ -26,24 +28,52 @@ SurfaceColor colorOf(const Appearance& appearance)
   return { false, appearance.diffuseReflection(), appearance.ambientReflection() };
 }
 
+SurfaceColor colorOf(const Appearance& appearance, const Vec3& color)
+{
+  if (appearance.shading == Shading::Unlit)
+  {
+    return { true, color, Vec3(0.0) };
+  }
+  return { false, color * appearance.diffuse, color * appearance.ambient };
+}
+
+SurfaceColor colorOf(const Surface& surface, std::size_t primitive)
+{
+  const Appearance& appearance = surface.appearance;
+  return surface.colors
+    ? colorOf(
+        appearance, surface.colors->color(static_cast<std::size_t>(surface.cellOf(primitive))))
+    : colorOf(appearance);
+}
+
 void loadColors(const RunRange& range, SampleBatch& batch)
 {
-  SurfaceColor color{};
-  std::int64_t last = -1; // the run with that colour
-  for (int place = range.first; place < range.end; ++place)
+  const auto forRuns = [&](const auto& body)
   {
-    const std::int64_t run = batch.run[place];
-    if (!batch.isHit(place))
+    for (int run = range.firstRun; run < range.endRun; ++run)
     {
-      continue;
+      if (batch.primitives[run] != noPrimitive)
+      {
+        const SceneMesh::Part& part = *batch.parts[run];
+        body(run, *part.surface, batch.primitives[run] - part.firstPrimitive);
+      }
     }
-    if (run != last)
+  };
+  forRuns(
+    [](int, const Surface& surface, std::size_t primitive)
     {
-      color = colorOf(*batch.parts[run]->appearance);
-      last = run;
-    }
-    put(color.diffuse, batch.diffuse, place);
-    put(color.ambient, batch.ambient, place);
-  }
+      if (surface.colors) // scattered in memory
+      {
+        hwy::Prefetch(
+          surface.colors->values.address(static_cast<std::size_t>(surface.cellOf(primitive))));
+      }
+    });
+  forRuns(
+    [&](int run, const Surface& surface, std::size_t primitive)
+    {
+      const SurfaceColor color = colorOf(surface, primitive);
+      put(color.diffuse, batch.diffuse, run);
+      put(color.ambient, batch.ambient, run);
+    });
 }
 }

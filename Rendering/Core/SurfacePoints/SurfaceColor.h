@@ -4,7 +4,10 @@
  * @file
  * @brief the colour of a surface at a point: where it comes from is known here and nowhere else
  *
- * colorOf() is the definition. loadColors() gives a batch the same colours.
+ * The colour of a surface is that of its appearance, or comes from data at its points or cells
+ * (ColorArray.h). Colours of points are interpolated with barycentric coordinates, as all data of
+ * points is. The functions for single points are the definition; loadColors() and
+ * VectorSurfaceColor.h give a batch the same colours.
  */
 #ifndef lambent_SurfaceColor_h
 #define lambent_SurfaceColor_h
@@ -24,9 +27,15 @@ struct SurfaceColor
   Vec3 ambient; ///< rho_a; not used if unlit
 };
 
+/// The colour that an appearance has on its own, and with a colour that replaces those it has.
 SurfaceColor colorOf(const Appearance& appearance);
+SurfaceColor colorOf(const Appearance& appearance, const Vec3& color);
 
-/// Fills in SampleBatch::diffuse and ambient of the samples in a range that hit something.
+/// The colour at a primitive that has one colour, counted in its surface.
+SurfaceColor colorOf(const Surface& surface, std::size_t primitive);
+
+/// Fills in SampleBatch::diffuse and ambient of the runs of a range that hit something, if its
+/// ColorSource is Primitive.
 void loadColors(const RunRange& range, SampleBatch& batch);
 }
 

@@ -11,9 +11,32 @@ SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
   const SceneMesh::Part& part = this->Mesh.mesh().partOf(number);
   Hit hit{};
   this->Mesh.triangle(number).isHit(x, y, hit);
+  const std::size_t triangle = number - part.firstPrimitive;
+  const Vec3 weights(hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum);
   return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
-    this->normal(*part.surface, number - part.firstPrimitive, hit),
-    { hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum }, colorOf(*part.appearance) };
+    this->normal(*part.surface, triangle, hit), weights,
+    this->color(*part.surface, triangle, weights) };
+}
+
+SurfaceColor TrianglePoints::color(
+  const Surface& surface, std::size_t triangle, const Vec3& weights) const
+{
+  const ColorArray* const colors = surface.colors;
+  if (!colors || colors->values.isPerCell)
+  {
+    return colorOf(surface, triangle);
+  }
+  const auto point = [&](std::size_t corner) { return surface.corners[3 * triangle + corner]; };
+  if (colors->isMappedLast)
+  {
+    const double number =
+      (colors->number(point(0)) * weights.x + colors->number(point(1)) * weights.y) +
+      colors->number(point(2)) * weights.z;
+    return colorOf(surface.appearance, colors->table->color(number));
+  }
+  return colorOf(surface.appearance,
+    (colors->color(point(0)) * weights.x + colors->color(point(1)) * weights.y) +
+      colors->color(point(2)) * weights.z);
 }
 
 double TrianglePoints::attribute(

@@ -53,6 +53,7 @@ public:
   bool isTwoSided() const { return this->TwoSided; }
 
 private:
+  SurfaceColor color(const Surface& surface, std::size_t triangle, const Vec3& weights) const;
   Vec3 normal(const Surface& surface, std::size_t triangle, const Hit& hit) const;
 
   const FrameMesh& Mesh;
