@@ -4,9 +4,9 @@
  * @file
  * @brief the surfaces of a scene, with primitives and points numbered consecutively
  *
- * A primitive is what a ray hits as a whole: a triangle. Primitives and points are counted over all
- * surfaces in order. So (input, cell, primitive within the cell) becomes one number. Of two hits at
- * the same depth, the one with the smaller number is kept.
+ * A primitive is what a ray hits as a whole: a triangle or a sphere. Primitives and points are
+ * counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
+ * number. Of two hits at the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
 #define lambent_SceneMesh_h
@@ -52,7 +52,7 @@ public:
       , HasDoubleNormals(s.pointNormals.isDouble)
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
-          (a.isCulling() ? Culling : 0)))
+          (a.isCulling() ? Culling : 0) | (s.hasSpheres() ? Spheres : 0)))
     {
     }
 
@@ -64,6 +64,7 @@ public:
     bool hasNormalNumbers() const { return (this->Flags & NormalNumbers) != 0; }
     bool hasCellNormals() const { return (this->Flags & CellNormals) != 0; }
     bool isCulling() const { return (this->Flags & Culling) != 0; }
+    bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -80,7 +81,8 @@ public:
       Smooth = 1,
       NormalNumbers = 2,
       CellNormals = 4,
-      Culling = 8
+      Culling = 8,
+      Spheres = 16
     };
     const void* Points;
     const void* Corners;
@@ -94,6 +96,8 @@ public:
 
   std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
+  /// Whether some primitives are spheres.
+  bool hasSpheres() const { return this->HasSpheres; }
 
   /// The part that holds a primitive.
   const Part& partOf(std::size_t primitive) const
@@ -142,7 +146,8 @@ private:
   {
     std::size_t begin, end;
     std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
-    const Appearance* first = nullptr;      ///< of the first surface, and those equal to it
+    bool hasSpheres = false;
+    const Appearance* first = nullptr; ///< of the first surface, and those equal to it
     const Appearance* last = nullptr;
     const Appearance* replacement = nullptr; ///< of first, in the whole scene
   };
@@ -174,6 +179,7 @@ private:
   int Shift = 0;
   std::size_t Primitives = 0;
   std::size_t Points = 0;
+  bool HasSpheres = false;
 };
 }
 

@@ -8,6 +8,7 @@ void RunRange::begin(const SceneMesh::Part& first)
 {
   this->part = &first;
   this->appearance = first.appearance;
+  this->hasSpheres = first.hasSpheres();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
@@ -19,7 +20,8 @@ bool RunRange::join(const SceneMesh::Part& next)
 {
   RunRange other;
   other.begin(next);
-  if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth))
+  if (other.hasSpheres != this->hasSpheres || other.isUnlit != this->isUnlit ||
+    (!this->isUnlit && other.isSmooth != this->isSmooth))
   {
     return false;
   }

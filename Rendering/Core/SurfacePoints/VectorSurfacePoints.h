@@ -15,6 +15,7 @@
 
 #include "LoadTriangles.h"
 #include "SurfacePoints.h"
+#include "VectorSpherePoints.h"
 #include "VectorTrianglePoints.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -29,6 +30,12 @@ template <typename Body>
 HWY_INLINE void withPoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, const Body& body)
 {
+  if (range.hasSpheres)
+  {
+    loadSpheres(range, batch);
+    body(VectorSpherePoints(points.spheres(), range, batch));
+    return;
+  }
   loadTriangles(range, batch);
   body(VectorTrianglePoints(points.triangles(), range, batch));
 }
