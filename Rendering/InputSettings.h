@@ -12,6 +12,8 @@
 #ifndef InputSettings_h
 #define InputSettings_h
 
+#include "SceneSettings.h"
+
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 
@@ -26,6 +28,9 @@ namespace lambent::adapters
 struct InputSetting
 {
   vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
+  SphereSettings Spheres;
+
+  bool isDefault() const { return !this->Property && !this->Spheres.areOn(); }
 };
 
 class InputSettings
@@ -34,8 +39,21 @@ public:
   /// The settings by the number of the connection; only those that are set.
   const std::map<int, InputSetting>& all() const { return this->Settings; }
 
-  vtkProperty* property(int connection) const;
-  void setProperty(int connection, vtkProperty* property);
+  /// Those of a connection, or the defaults.
+  const InputSetting& of(int connection) const;
+  vtkProperty* property(int connection) const { return this->of(connection).Property; }
+
+  /// Calls change(setting) with those of a connection.
+  template <typename Change>
+  void set(int connection, const Change& change)
+  {
+    InputSetting& setting = this->Settings[connection];
+    change(setting);
+    if (setting.isDefault())
+    {
+      this->Settings.erase(connection);
+    }
+  }
 
   /// Runs `change`, which changes the connections of port 0, and makes the settings follow their
   /// connections. `removed` is the number of the connection that it removes, if known.

@@ -7,6 +7,7 @@
 #include "Chunks.h"
 #include "MissingPoint.h"
 #include "PassArrays.h"
+#include "SpheresFromVTK.h"
 #include "TriangleNormals.h"
 
 #include "vtkCellArray.h"
@@ -32,12 +33,17 @@ std::string describe(vtkDataArray* array)
 }
 }
 
-SurfaceFromVTK::SurfaceFromVTK(
-  vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel)
+SurfaceFromVTK::SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance,
+  const SphereSettings& spheres, const Parallel& parallel)
   : Input(polyData)
 {
   this->Result.appearance = appearance;
   this->setPoints();
+  if (spheres.areOn())
+  {
+    setSpheres(spheres, polyData, this->Spans, this->Result);
+    return;
+  }
   this->setCells(parallel);
   vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
   if (cellNormals && appearance.shading == Shading::Flat)

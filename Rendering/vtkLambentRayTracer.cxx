@@ -51,6 +51,12 @@ vtkPolyData* polyDataOf(vtkDataObject* input, int connection)
   }
   return vtkPolyData::SafeDownCast(input);
 }
+
+std::string describeNegative(const char* method, int connection)
+{
+  return std::string(method) + " was given connection " + std::to_string(connection) +
+    "; connections are counted from 0 in the order they were added.";
+}
 }
 
 vtkStandardNewMacro(vtkLambentRayTracer);
@@ -82,6 +88,7 @@ void vtkLambentRayTracer::ResetCamera()
   {
     std::vector<vtkPolyData*> inputs;
     std::vector<lambent::Appearance> appearances;
+    std::vector<SphereSettings> spheres;
     for (int connection = 0; connection < this->GetNumberOfInputConnections(0); ++connection)
     {
       int port = 0;
@@ -91,10 +98,11 @@ void vtkLambentRayTracer::ResetCamera()
       {
         inputs.push_back(input);
         appearances.push_back(appearanceFromVTK(nullptr));
+        spheres.push_back(this->Internal->Inputs.of(connection).Spheres);
       }
     }
     const SMPParallel parallel;
-    const InputSurfaces surfaces(inputs, appearances, parallel);
+    const InputSurfaces surfaces(inputs, appearances, spheres, parallel);
     vtkSmartPointer<vtkCamera> camera = this->Camera;
     if (!camera)
     {
@@ -145,11 +153,11 @@ void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property
 {
   if (connection < 0)
   {
-    vtkErrorMacro("SetInputProperty() was given connection "
-      << connection << "; connections are counted from 0 in the order they were added.");
+    vtkErrorMacro(<< describeNegative("SetInputProperty()", connection));
     return;
   }
-  this->Internal->Inputs.setProperty(connection, property);
+  this->Internal->Inputs.set(
+    connection, [&](InputSetting& setting) { setting.Property = property; });
   this->Modified();
 }
 
@@ -158,6 +166,43 @@ vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
   return this->Internal->Inputs.property(connection);
 }
 
+//------------------------------------------------------------------------------
+void vtkLambentRayTracer::SetInputSphereRadius(int connection, double radius)
+{
+  if (connection < 0)
+  {
+    vtkErrorMacro(<< describeNegative("SetInputSphereRadius()", connection));
+    return;
+  }
+  this->Internal->Inputs.set(
+    connection, [&](InputSetting& setting) { setting.Spheres.radius = radius; });
+  this->Modified();
+}
+
+double vtkLambentRayTracer::GetInputSphereRadius(int connection)
+{
+  return this->Internal->Inputs.of(connection).Spheres.radius;
+}
+
+void vtkLambentRayTracer::SetInputSphereRadiusArray(int connection, const char* name)
+{
+  if (connection < 0)
+  {
+    vtkErrorMacro(<< describeNegative("SetInputSphereRadiusArray()", connection));
+    return;
+  }
+  this->Internal->Inputs.set(
+    connection, [&](InputSetting& setting) { setting.Spheres.radiusArray = name ? name : ""; });
+  this->Modified();
+}
+
+const char* vtkLambentRayTracer::GetInputSphereRadiusArray(int connection)
+{
+  const std::string& name = this->Internal->Inputs.of(connection).Spheres.radiusArray;
+  return name.empty() ? nullptr : name.c_str();
+}
+
+//------------------------------------------------------------------------------
 // The settings of a connection stay with it.
 void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
 {
@@ -234,8 +279,8 @@ void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSett
 {
   for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
-    scene.inputs.push_back(
-      { polyDataOf(vtkDataObject::GetData(inputs[0], k), k), this->GetInputProperty(k) });
+    scene.inputs.push_back({ polyDataOf(vtkDataObject::GetData(inputs[0], k), k),
+      this->GetInputProperty(k), this->Internal->Inputs.of(k).Spheres });
   }
   scene.camera = this->Camera;
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -272,7 +317,19 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   printObject("Property", this->Property);
   for (const auto& own : this->Internal->Inputs.all())
   {
-    printObject("InputProperty " + std::to_string(own.first), own.second.Property);
+    const std::string connection = std::to_string(own.first);
+    if (own.second.Property)
+    {
+      printObject("InputProperty " + connection, own.second.Property);
+    }
+    if (own.second.Spheres.areOn())
+    {
+      const std::string& array = own.second.Spheres.radiusArray;
+      os << indent << "InputSphereRadius " << connection << ": " << own.second.Spheres.radius
+         << "\n";
+      os << indent << "InputSphereRadiusArray " << connection << ": "
+         << (array.empty() ? "(none)" : array) << "\n";
+    }
   }
   printSwitch("UsePointNormals", this->UsePointNormals);
   printSwitch("Splitting", this->Splitting);
