@@ -30,6 +30,7 @@ SceneList passScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList crowdScenes();
+SceneList sphereScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

@@ -25,7 +25,8 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
 {
   for (Body& body : bodies)
   {
-    if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty())
+    if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty() ||
+      body.hasSpheres())
     {
       continue;
     }
@@ -49,7 +50,9 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
   for (const Body& body : prepared(stage.bodies, manner.shuffle))
   {
     tracer->AddInputDataObject(toPolyData(body));
-    tracer->SetInputProperty(input++, toProperty(body.appearance));
+    tracer->SetInputProperty(input, toProperty(body.appearance));
+    tracer->SetInputSphereRadius(input, body.radius);
+    tracer->SetInputSphereRadiusArray(input++, body.radii.empty() ? nullptr : radiiName);
   }
   if (input == 0)
   {
