@@ -11,6 +11,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     Ambient
     Box
     ColouredLight
+    Crystal
     Diffuse
     FlatAndSmooth
     Passes

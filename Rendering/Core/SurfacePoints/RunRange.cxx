@@ -14,14 +14,17 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
 }
 
-/// Extends the range to another part. Returns false, and does nothing, if that is shaded in another
-/// way.
+/// Extends the range to another part. Returns false, and does nothing, if that has another kind of
+/// primitive or is shaded in another way.
 bool RunRange::join(const SceneMesh::Part& next)
 {
   RunRange other;
   other.begin(next);
-  if (other.hasSpheres != this->hasSpheres || other.isUnlit != this->isUnlit ||
-    (!this->isUnlit && other.isSmooth != this->isSmooth))
+  if (other.hasSpheres != this->hasSpheres)
+  {
+    return false;
+  }
+  if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth))
   {
     return false;
   }
