@@ -431,8 +431,6 @@ MUTATIONS = [
      "spheres that cross the plane of the eye have no bound"),
     (SPHERE_BOXES, "hn::Le(hn::Add(c.z, larger), hn::Zero(d))", "hn::Le(c.z, hn::Zero(d))",
      "spheres around the eye are kept"),
-    (SPHERE_BOXES, "hn::Add(radius, hn::Mul(reach, hn::Set(d, radiusSlack)))", "radius",
-     "boxes include the rounding of the ray test"),
     (SPHERE_BOXES, "hn::Sub(c.z, larger), nothing", "c.z, nothing", "a sphere is nearer than its centre"),
     (SPHERE_BINNING, "!box.empty() && boxes.radii[place] > 0.0", "!box.empty()",
      "spheres of no size are not drawn"),

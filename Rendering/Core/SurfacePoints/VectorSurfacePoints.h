@@ -25,19 +25,22 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Calls body(points): points.at(runs, x, y) returns a VectorSurfacePoint of samples in the range.
-template <typename Body>
+/// Calls body(points): points.at(runs, x, y) returns a VectorSurfacePoint of samples in the range,
+/// whose kind of primitive is known when a kernel is compiled.
+template <bool HasSpheres, typename Body>
 HWY_INLINE void withPoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, const Body& body)
 {
-  if (range.hasSpheres)
+  if constexpr (HasSpheres)
   {
     loadSpheres(range, batch);
     body(VectorSpherePoints(points.spheres(), range, batch));
-    return;
   }
-  loadTriangles(range, batch);
-  body(VectorTrianglePoints(points.triangles(), range, batch));
+  else
+  {
+    loadTriangles(range, batch);
+    body(VectorTrianglePoints(points.triangles(), range, batch));
+  }
 }
 }
 }
