@@ -47,22 +47,35 @@ bool areStoredPlainly(vtkDataArray* offsets, vtkDataArray* connectivity)
 }
 }
 
-TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
+/// The array, or a copy, if it is not a contiguous one of float or double.
+vtkDataArray* SpansFromVTK::asReals(vtkDataArray* array)
 {
-  if (!array || array->GetNumberOfTuples() == 0)
-  {
-    return {};
-  }
   const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
   if (!isReal || !array->HasStandardMemoryLayout())
   {
     vtkNew<vtkDoubleArray> copy;
     copy->DeepCopy(array);
     this->Converted.emplace_back(copy);
-    array = copy;
+    return copy;
   }
+  return array;
+}
+
+TupleSpan SpansFromVTK::tuples(vtkDataArray* array)
+{
+  if (!array || array->GetNumberOfTuples() == 0)
+  {
+    return {};
+  }
+  array = this->asReals(array);
   return { array->GetVoidPointer(0), array->GetDataType() == VTK_DOUBLE,
     static_cast<std::size_t>(array->GetNumberOfTuples()) };
+}
+
+ScalarSpan SpansFromVTK::scalars(vtkDataArray* array)
+{
+  const TupleSpan span = this->tuples(array);
+  return { span.data, span.isDouble, span.size };
 }
 
 AttributeSpan SpansFromVTK::attribute(vtkDataArray* array, bool isPerCell)

@@ -37,16 +37,16 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "SetRepresentationToWireframe() has no effect; faces are always filled. Convert the edges to "
     "tubes with vtkExtractEdges and vtkTubeFilter.");
   add(property->GetRepresentation() == VTK_POINTS,
-    "SetRepresentationToPoints() has no effect; faces are always filled. Convert the points to "
-    "spheres with vtkGlyph3D.");
+    "SetRepresentationToPoints() has no effect; faces are always filled. Draw the points as "
+    "spheres with SetInputSphereRadius().");
   add(property->GetOpacity() != 1.0,
     "SetOpacity() has no effect; every surface is opaque. Set it back to 1, or remove the input.");
   add(property->GetEdgeVisibility() != 0,
     "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
     "vtkExtractEdges and vtkTubeFilter.");
   add(property->GetVertexVisibility() != 0,
-    "VertexVisibilityOn() has no effect. Add spheres at the points as another input, with "
-    "vtkGlyph3D.");
+    "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
+    "spheres with SetInputSphereRadius().");
   add(property->GetSpecular() != 0.0,
     "SetSpecular() has no effect; highlights are not supported. Set it back to 0.");
   add(property->GetInterpolation() == VTK_PBR,
@@ -102,7 +102,8 @@ std::string whyNoNormalsAreComputed(const SceneSettings& settings)
   bool isAnyDrawn = false, isAnySmooth = false;
   for (const SceneSettings::Input& input : settings.inputs)
   {
-    if (input.mesh->GetNumberOfPolys() + input.mesh->GetNumberOfStrips() == 0)
+    if (input.spheres.areOn() ||
+      input.mesh->GetNumberOfPolys() + input.mesh->GetNumberOfStrips() == 0)
     {
       continue;
     }

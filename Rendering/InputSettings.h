@@ -13,6 +13,7 @@
 #define InputSettings_h
 
 #include "InputColors.h"
+#include "SceneSettings.h"
 
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
@@ -29,6 +30,7 @@ struct InputSetting
 {
   vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
   InputColors Colors;
+  SphereSettings Spheres;
 };
 
 class InputSettings

@@ -40,7 +40,8 @@ void forInput(std::size_t input, Body&& body)
 }
 
 InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-  const std::vector<Appearance>& appearances, const Parallel& parallel)
+  const std::vector<Appearance>& appearances, const std::vector<SphereSettings>& spheres,
+  const Parallel& parallel)
   : Inputs(inputs)
 {
   InputShares shares(inputs, parallel);
@@ -51,13 +52,13 @@ InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
       [&]()
       {
         this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
+          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], spheres[k], shares.next()));
         this->FirstPrimitives.push_back(primitives);
         primitives += this->Surfaces[k]->surface().primitiveCount();
         if (primitives >= noPrimitive)
         {
-          throw std::runtime_error(
-            "with it the scene has more than 4294967294 triangles, which is the maximum.");
+          throw std::runtime_error("with it the scene has more than 4294967294 triangles and "
+                                   "spheres, which is the maximum.");
         }
       });
   }
@@ -205,6 +206,15 @@ std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
 std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.firstNotFinite);
+  if (this->Surfaces[place.input]->surface().hasSpheres())
+  {
+    return std::to_string(defects.notFinite) +
+      (defects.notFinite == 1 ? " sphere or cell has a point that is"
+                              : " spheres or cells have a point that is") +
+      " not finite and cannot be rendered; the first is the sphere at point " +
+      std::to_string(place.cell) + " of input " + std::to_string(place.input) +
+      ". Remove such points or correct them.";
+  }
   return std::to_string(defects.notFinite) +
     (defects.notFinite == 1 ? " cell has a point that is" : " cells have a point that is") +
     " not finite and cannot be rendered; the first is cell " + std::to_string(place.cell) +

@@ -19,10 +19,10 @@ namespace lambent::adapters
 class InputSurfaces
 {
 public:
-  /// Surface k shows inputs[k] with appearances[k]. This and the other functions throw
-  /// std::runtime_error with a message that names the input.
+  /// Surface k shows inputs[k] with appearances[k], its cells or, after spheres[k], its points.
+  /// This and the other functions throw std::runtime_error with a message that names the input.
   InputSurfaces(const std::vector<vtkPolyData*>& inputs, const std::vector<Appearance>& appearances,
-    const Parallel& parallel);
+    const std::vector<SphereSettings>& spheres, const Parallel& parallel);
 
   /// Gives normals to the surfaces with smooth shading: the input's own if it has some and useOwn
   /// is true, otherwise computed ones.

@@ -25,28 +25,6 @@ vtkDataSetAttributes* attributes(vtkPolyData* input, int association)
     : input->GetCellData();
 }
 
-/// The names of arrays that the inputs do have, in quotation marks.
-std::string listArrays(const SceneSettings& settings, int association)
-{
-  std::set<std::string> names;
-  for (const SceneSettings::Input& input : settings.inputs)
-  {
-    vtkDataSetAttributes* const arrays = attributes(input.mesh, association);
-    for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
-    {
-      const char* const name = arrays->GetArray(k) ? arrays->GetArrayName(k) : nullptr;
-      names.insert(name ? "\"" + std::string(name) + "\"" : "");
-    }
-  }
-  names.erase("");
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
-}
-
 /// Returns the first error in the names or associations with its remedy, or an empty string.
 std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
 {
@@ -74,6 +52,27 @@ std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
   }
   return "";
 }
+}
+
+std::string listArrays(const std::vector<vtkPolyData*>& inputs, int association)
+{
+  std::set<std::string> names;
+  for (vtkPolyData* const input : inputs)
+  {
+    vtkDataSetAttributes* const arrays = attributes(input, association);
+    for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+    {
+      const char* const name = arrays->GetArray(k) ? arrays->GetArrayName(k) : nullptr;
+      names.insert(name ? "\"" + std::string(name) + "\"" : "");
+    }
+  }
+  names.erase("");
+  std::string list;
+  for (const std::string& name : names)
+  {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
 }
 
 std::string describe(const SceneSettings::PassArray& array)
@@ -109,7 +108,12 @@ std::vector<std::string> describeMissing(const SceneSettings& settings)
       [&](const SceneSettings::Input& input) { return findArray(input.mesh, array) != nullptr; });
     if (!isFound)
     {
-      const std::string list = listArrays(settings, array.association);
+      std::vector<vtkPolyData*> inputs;
+      for (const SceneSettings::Input& input : settings.inputs)
+      {
+        inputs.push_back(input.mesh);
+      }
+      const std::string list = listArrays(inputs, array.association);
       messages.push_back("AddPassArray() was given the " + describe(array) +
         ", which no input has; its values are NaN. " +
         (list.empty() ? "The inputs have none." : "The inputs have " + list + "."));

@@ -24,6 +24,9 @@ void checkNames(const std::vector<SceneSettings::PassArray>& arrays);
 /// The input's array, or nullptr.
 vtkDataArray* findArray(vtkPolyData* input, const SceneSettings::PassArray& array);
 
+/// The names of the point or cell arrays that some inputs have, in quotation marks.
+std::string listArrays(const std::vector<vtkPolyData*>& inputs, int association);
+
 /// "point array "T"" or "cell array "T"".
 std::string describe(const SceneSettings::PassArray& array);
 

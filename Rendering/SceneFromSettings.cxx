@@ -27,7 +27,8 @@ constexpr double boundsShare = 1.0 - SceneFromSettings::normalsShare;
 
 SceneFromSettings::SceneFromSettings(const SceneSettings& settings, const Parallel& parallel)
   : Settings(settings)
-  , Surfaces(meshes(settings), appearances(settings), Share(parallel, 0.0, surfacesShare))
+  , Surfaces(meshes(settings), appearances(settings), spheres(settings),
+      Share(parallel, 0.0, surfacesShare))
 {
   this->addCamera(Share(parallel, surfacesShare, boundsShare));
   this->addLights();
@@ -58,6 +59,16 @@ std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& sett
       throw std::runtime_error(
         "Input " + std::to_string(result.size() - 1) + ": its vtkProperty " + defect);
     }
+  }
+  return result;
+}
+
+std::vector<SphereSettings> SceneFromSettings::spheres(const SceneSettings& settings)
+{
+  std::vector<SphereSettings> result;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    result.push_back(input.spheres);
   }
   return result;
 }

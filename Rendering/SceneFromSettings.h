@@ -29,6 +29,7 @@ public:
 private:
   static std::vector<vtkPolyData*> meshes(const SceneSettings& settings);
   static std::vector<Appearance> appearances(const SceneSettings& settings);
+  static std::vector<SphereSettings> spheres(const SceneSettings& settings);
   void addCamera(const Parallel& parallel);
   void addLights();
   void addBackground();

@@ -25,6 +25,15 @@ class vtkProperty;
 
 namespace lambent::adapters
 {
+/// Whether the points of an input are drawn as spheres, in place of its cells.
+struct SphereSettings
+{
+  double radius = 0.0;     ///< 0: none, or 1 if there is an array
+  std::string radiusArray; ///< of points; its values are multiplied by the radius
+
+  bool areOn() const { return this->radius != 0.0 || !this->radiusArray.empty(); }
+};
+
 struct SceneSettings
 {
   struct Input
@@ -32,6 +41,7 @@ struct SceneSettings
     vtkPolyData* mesh = nullptr;
     vtkProperty* property = nullptr; ///< none: that of all inputs
     InputColors colors;
+    SphereSettings spheres;
   };
   std::vector<Input> inputs;
 

@@ -7,6 +7,7 @@
 #include "Chunks.h"
 #include "MissingPoint.h"
 #include "PassArrays.h"
+#include "SpheresFromVTK.h"
 #include "TriangleNormals.h"
 
 #include "vtkCellArray.h"
@@ -32,12 +33,17 @@ std::string describe(vtkDataArray* array)
 }
 }
 
-SurfaceFromVTK::SurfaceFromVTK(
-  vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel)
+SurfaceFromVTK::SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance,
+  const SphereSettings& spheres, const Parallel& parallel)
   : Input(polyData)
 {
   this->Result.appearance = appearance;
   this->setPoints();
+  if (spheres.areOn())
+  {
+    setSpheres(spheres, polyData, this->Spans, this->Result);
+    return;
+  }
   this->setCells(parallel);
   vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
   if (cellNormals && appearance.shading == Shading::Flat)
@@ -82,6 +88,12 @@ void SurfaceFromVTK::addColors(const InputColors& settings)
   {
     this->Colors = std::make_unique<ColorsFromVTK>(this->Input, settings, this->Spans);
     this->Result.colors = this->Colors->colors();
+    if (this->Result.colors && this->Result.hasSpheres() && this->Result.colors->values.isPerCell)
+    {
+      throw std::runtime_error(
+        "the colours come from a cell array, but spheres have the colours of "
+        "points. Call SetInputColorArray() with a point array.");
+    }
   }
 }
 

@@ -35,7 +35,8 @@ class SurfaceFromVTK
 public:
   /// The polydata must outlive this object. This and the other functions throw std::runtime_error
   /// with a message for the user.
-  SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance, const Parallel& parallel);
+  SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance, const SphereSettings& spheres,
+    const Parallel& parallel);
 
   const Surface& surface() const { return this->Result; }
 

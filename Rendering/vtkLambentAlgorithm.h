@@ -222,7 +222,8 @@ public:
   /**
    * Add the point arrays "CellIds", the cell of the input mesh, and "InputIds", the connection of
    * port 0 that the mesh belongs to, counted from 0. Of several cells at the same depth it is the
-   * one of the smallest input, then of the smallest id. Needs 20 bytes per pixel. Default: off.
+   * one of the smallest input, then of the smallest id. A sphere has the number of its point as
+   * "CellIds". Needs 20 bytes per pixel. Default: off.
    */
   vtkSetMacro(GenerateIds, vtkTypeBool);
   vtkGetMacro(GenerateIds, vtkTypeBool);
@@ -236,7 +237,8 @@ public:
    * FIELD_ASSOCIATION_CELLS). Point arrays are interpolated with the barycentric coordinates of
    * the hit, of the triangle that the cell was cut into; cell arrays are not. The coordinates are
    * rounded and may not sum to exactly 1, so that even a value that all points share may change in
-   * its last digits: labels belong on cells. The array is double if the input's is, or has integers
+   * its last digits: labels belong on cells. All of a sphere has the value of its point, and NaN as
+   * the value of a cell array. The array is double if the input's is, or has integers
    * of 32 or 64 bits, and otherwise float. Inputs that have the array must agree in its number of
    * components. Its values are NaN on inputs that do not have it; an array that no input has causes
    * a warning. Names of the picture's own arrays (see the table above), and one name twice, are an

@@ -82,6 +82,7 @@ void vtkLambentRayTracer::ResetCamera()
   {
     std::vector<vtkPolyData*> inputs;
     std::vector<lambent::Appearance> appearances;
+    std::vector<SphereSettings> spheres;
     for (int connection = 0; connection < this->GetNumberOfInputConnections(0); ++connection)
     {
       int port = 0;
@@ -91,10 +92,11 @@ void vtkLambentRayTracer::ResetCamera()
       {
         inputs.push_back(input);
         appearances.push_back(appearanceFromVTK(nullptr));
+        spheres.push_back(this->Internal->Inputs.of(connection).Spheres);
       }
     }
     const SMPParallel parallel;
-    const InputSurfaces surfaces(inputs, appearances, parallel);
+    const InputSurfaces surfaces(inputs, appearances, spheres, parallel);
     vtkSmartPointer<vtkCamera> camera = this->Camera;
     if (!camera)
     {
@@ -256,6 +258,31 @@ bool vtkLambentRayTracer::GetInputInterpolateScalarsBeforeMapping(int connection
   return this->Internal->Inputs.of(connection).Colors.interpolateScalarsBeforeMapping;
 }
 
+//------------------------------------------------------------------------------
+void vtkLambentRayTracer::SetInputSphereRadius(int connection, double radius)
+{
+  this->ChangeInput(connection, "SetInputSphereRadius",
+    [&](InputSetting& setting) { setting.Spheres.radius = radius; });
+}
+
+double vtkLambentRayTracer::GetInputSphereRadius(int connection)
+{
+  return this->Internal->Inputs.of(connection).Spheres.radius;
+}
+
+void vtkLambentRayTracer::SetInputSphereRadiusArray(int connection, const char* name)
+{
+  this->ChangeInput(connection, "SetInputSphereRadiusArray",
+    [&](InputSetting& setting) { setting.Spheres.radiusArray = name ? name : ""; });
+}
+
+const char* vtkLambentRayTracer::GetInputSphereRadiusArray(int connection)
+{
+  const std::string& name = this->Internal->Inputs.of(connection).Spheres.radiusArray;
+  return name.empty() ? nullptr : name.c_str();
+}
+
+//------------------------------------------------------------------------------
 // The settings of a connection stay with it.
 void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
 {
@@ -334,8 +361,8 @@ void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSett
   for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
     const InputSetting& setting = this->Internal->Inputs.of(k);
-    scene.inputs.push_back(
-      { polyDataOf(vtkDataObject::GetData(inputs[0], k), k), setting.Property, setting.Colors });
+    scene.inputs.push_back({ polyDataOf(vtkDataObject::GetData(inputs[0], k), k), setting.Property,
+      setting.Colors, setting.Spheres });
   }
   scene.camera = this->Camera;
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -373,12 +400,14 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   for (const auto& own : this->Internal->Inputs.all())
   {
     const std::string number = std::to_string(own.first);
-    printObject("InputProperty " + number, own.second.Property);
+    if (own.second.Property)
+    {
+      printObject("InputProperty " + number, own.second.Property);
+    }
     const InputColors& colors = own.second.Colors;
-    os << indent << "InputScalarVisibility " << number << ": "
-       << (colors.scalarVisibility ? "On" : "Off") << "\n";
     if (colors.scalarVisibility)
     {
+      os << indent << "InputScalarVisibility " << number << ": On\n";
       const bool isOfCells = colors.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
       os << indent << "InputColorArray " << number << ": "
          << (colors.arrayName.empty()
@@ -393,6 +422,13 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
       os << "\n"
          << indent << "InputInterpolateScalarsBeforeMapping " << number << ": "
          << (colors.interpolateScalarsBeforeMapping ? "On" : "Off") << "\n";
+    }
+    if (own.second.Spheres.areOn())
+    {
+      const std::string& array = own.second.Spheres.radiusArray;
+      os << indent << "InputSphereRadius " << number << ": " << own.second.Spheres.radius << "\n";
+      os << indent << "InputSphereRadiusArray " << number << ": "
+         << (array.empty() ? "(none)" : array) << "\n";
     }
   }
   printSwitch("UsePointNormals", this->UsePointNormals);

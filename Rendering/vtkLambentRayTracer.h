@@ -32,7 +32,8 @@
  *
  * Inputs: port 0 takes any number of connections, each a vtkPolyData. Together they form
  * one scene. Composite data must pass through vtkCompositeDataGeometryFilter first. Polygons
- * with any number of points and triangle strips are rendered; vertices and lines are not.
+ * with any number of points and triangle strips are rendered, or spheres at the points
+ * (SetInputSphereRadius()); vertices and lines are not.
  * Smooth shading uses an input's point normals (vtkPointData::GetNormals(), 3 components),
  * flat shading its cell normals (vtkCellData::GetNormals()). Normals may have any numeric
  * type; all but float and double are converted to double. Smooth inputs without point
@@ -43,11 +44,11 @@
  * settings that do not depend on where the scene comes from.
  *
  * Bad input: errors are a composite input, a polygon or strip that uses a point that does
- * not exist, normals of the wrong length, an image size below 1 or too large for the
- * memory, a view angle outside (0, 180) degrees, a view-up parallel to the view direction,
- * and settings that are not finite. They name the cause and the remedy, and the output is empty.
- * Cells with points that are not finite are skipped, with one warning. Without any triangles the
- * image shows the background.
+ * not exist, normals or radii of the wrong length, radii that are negative or not finite, an
+ * image size below 1 or too large for the memory, a view angle outside (0, 180) degrees, a view-up
+ * parallel to the view direction, and settings that are not finite. They name the cause and the
+ * remedy, and the output is empty. Cells and spheres with points that are not finite are skipped,
+ * with one warning. Without any triangles or spheres the image shows the background.
  *
  * @warning
  * Not all settings of VTK's objects have an effect. The image depends on vtkCamera's
@@ -67,7 +68,8 @@
  * W. Hunt, W. Mark, "Ray-Specialized Acceleration Structures for Ray Tracing",
  * IEEE Symposium on Interactive Ray Tracing, 2008; T. Davidovic et al., "3D
  * Rasterization: A Bridge between Rasterization and Ray Casting", Graphics
- * Interface 2012. Smooth shading: B. T. Phong, CACM 18(6), 1975.
+ * Interface 2012. Ray-sphere test: E. Haines et al., "Precision Improvements for Ray/Sphere
+ * Intersection", Ray Tracing Gems, ch. 7, 2019. Smooth shading: B. T. Phong, CACM 18(6), 1975.
  *
  * @sa
  * vtkLambentAlgorithm vtkLambentNormals vtkCamera vtkLight vtkProperty
@@ -231,6 +233,34 @@ public:
    */
   void SetInputInterpolateScalarsBeforeMapping(int connection, bool before);
   bool GetInputInterpolateScalarsBeforeMapping(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * Draw a sphere of this radius, in world units, at each point of one input, used by cells or
+   * not. The input's polygons and strips are then not drawn. These are true spheres: their
+   * outlines are round at any size. Their normals are those of the sphere, even with flat
+   * shading; their front is the outside. "CellIds" has the number of a sphere's point.
+   * AddPassArray() gives point arrays the value of that point, cell arrays NaN. Points that
+   * are not finite are skipped, with one warning. A radius that is negative or not finite is an
+   * error of Update(); a negative connection is an error. Like the property of
+   * SetInputProperty(), it stays with its connection. Default: 0, no spheres.
+   */
+  virtual void SetInputSphereRadius(int connection, double radius);
+  double GetInputSphereRadius(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * Draw spheres whose radii are the values of a point array of one input, times
+   * SetInputSphereRadius() if that is not 0, as vtkPointGaussianMapper and vtkGlyph3DMapper
+   * multiply their scale array and scale factor. The array needs one component of any numeric
+   * type. Points with radius 0 have no sphere. A missing array, one without a number for each
+   * point, and values that are negative or not finite are errors of Update(). nullptr or an empty
+   * name: no array, the default.
+   */
+  virtual void SetInputSphereRadiusArray(int connection, const char* name);
+  const char* GetInputSphereRadiusArray(int connection);
   ///@}
 
   ///@{

@@ -12,6 +12,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     Box
     ColouredLight
     ColoursFromData
+    Crystal
     Diffuse
     FlatAndSmooth
     Passes

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief read-only views of the caller's arrays: tuples, indices, cells
+ * @brief read-only views of the caller's arrays: tuples, numbers, indices, cells
  *
  * A span points to memory that the caller keeps alive. Nothing is copied or written.
  */
@@ -40,6 +40,22 @@ struct TupleSpan
     }
     const float* p = static_cast<const float*>(this->data) + 3 * i;
     return { p[0], p[1], p[2] };
+  }
+};
+
+/// Contiguous numbers of float or double.
+struct ScalarSpan
+{
+  const void* data = nullptr;
+  bool isDouble = false;
+  std::size_t size = 0;
+
+  explicit operator bool() const { return this->data != nullptr; }
+
+  double operator[](std::size_t i) const
+  {
+    return this->isDouble ? static_cast<const double*>(this->data)[i]
+                          : static_cast<const float*>(this->data)[i];
   }
 };
 

@@ -121,6 +121,10 @@ private:
     this->Mesh.forPoints(begin, end,
       [&](const SceneMesh::Part& part, std::size_t from, std::size_t to)
       {
+        if (part.hasSpheres())
+        {
+          return; // SphereBinning locates them
+        }
         LatticePosition* const positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)
         {

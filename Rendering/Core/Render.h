@@ -6,7 +6,8 @@
  *
  * 1. The camera becomes a frame and a lattice of rays (CameraFrame), which are grouped into tiles
  *    (TileGrid).
- * 2. One pass over the points computes where each falls between the samples (PointLattice).
+ * 2. One pass over the points of triangles computes where each falls between the samples
+ *    (PointLattice).
  * 3. One pass over the primitives drops those between the samples (Binning). Certain hits of small
  *    triangles go into the bins of their tiles (Coverage); other primitives go there whole (Bins).
  * 4. Each tile casts its rays against its primitives (Casting), keeps the nearest hit of each ray

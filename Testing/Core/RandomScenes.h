@@ -23,6 +23,8 @@ struct RandomScene
     std::vector<std::int32_t> corners32;
     std::vector<std::int64_t> corners64;
     std::vector<float> normals;
+    std::vector<float> floatRadii; ///< of spheres
+    std::vector<double> doubleRadii;
   };
 
   std::string name;

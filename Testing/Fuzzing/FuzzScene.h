@@ -230,6 +230,32 @@ struct FuzzScene
       this->scene.surfaces.push_back(this->meshes.back()->surface);
     }
   }
+
+  /// Turns some surfaces into spheres. Call it last: then inputs that end before mean the same as
+  /// without spheres.
+  void addSpheres(FuzzInput& input)
+  {
+    for (lambent::Surface& surface : this->scene.surfaces)
+    {
+      if (input.choice(4) != 3)
+      {
+        continue;
+      }
+      surface.radius = input.flag() ? 1.0 : std::fabs(input.number());
+      if (input.flag())
+      {
+        this->Radii.emplace_back();
+        for (std::size_t k = 0; k < surface.points.size; ++k)
+        {
+          this->Radii.back().push_back(input.seldom(64) ? input.number() : input.within(0.0, 1.0));
+        }
+        surface.radii = { this->Radii.back().data(), true, this->Radii.back().size() };
+      }
+    }
+  }
+
+private:
+  std::vector<std::vector<double>> Radii;
 };
 
 #endif

@@ -69,6 +69,15 @@ COLOR_ARRAY = "Rendering/Core/Scene/ColorArray.h"
 SURFACE_COLOR = "Rendering/Core/SurfacePoints/SurfaceColor.cxx"
 VECTOR_COLOR = "Rendering/Core/SurfacePoints/VectorSurfaceColor.h"
 COLORS = "Rendering/ColorsFromVTK.cxx"
+SURFACE = "Rendering/Core/Scene/Surface.h"
+SPHERE_HITS = "Rendering/Core/Frame/VectorSpheres.h"
+SPHERE_BOXES = "Rendering/Core/Tiles/SphereBoxKernel.cxx"
+SPHERE_BINNING = "Rendering/Core/Tiles/SphereBinning.cxx"
+SPHERE_CASTING = "Rendering/Core/Cast/SphereCastingKernel.cxx"
+SPHERE_POINTS = "Rendering/Core/SurfacePoints/SpherePoints.cxx"
+LOADING_SPHERES = "Rendering/Core/SurfacePoints/LoadSpheres.cxx"
+VECTOR_SPHERE_POINTS = "Rendering/Core/SurfacePoints/VectorSpherePoints.h"
+SPHERES_FROM_VTK = "Rendering/SpheresFromVTK.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -432,4 +441,46 @@ MUTATIONS = [
     (COLORS, "isOfCells = !this->Array;", "isOfCells = false;", "active scalars of cells are found"),
     (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
     (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
+    # Spheres.
+    (CONTRACT, "const double nearest = b / a;", "const double nearest = b;",
+     "rays of any direction pass a centre"),
+    (CONTRACT, "square - ((lx * lx + ly * ly) + lz * lz);", "square - (lx * lx + (ly * ly + lz * lz));",
+     "distances to a ray are summed in order"),
+    (CONTRACT, "disc > 0.0 && s.radius > 0.0", "disc >= 0.0 && s.radius > 0.0",
+     "rays that touch a sphere miss it"),
+    (CONTRACT, "disc > 0.0 && s.radius > 0.0", "disc > 0.0", "negative radii are not hit"),
+    (CONTRACT, "b > 0.0 ? b + root : b - root", "b + root", "roots do not cancel behind the centre"),
+    (CONTRACT, "s.hasOutside && outside > 0.0", "outside > 0.0", "the outside may not be drawn"),
+    (CONTRACT, " &&\n    !(hit.isInside && !s.hasInside);", ";", "the inside may not be drawn"),
+    (SPHERE_HITS, "hn::And(s.hasOutside, hn::Gt(outside, zero))", "hn::Gt(outside, zero)",
+     "the outside may not be drawn, in kernels"),
+    (SPHERE_HITS, "hn::Or(isOutside, s.hasInside)", "hn::Or(isOutside, isAhead)",
+     "the inside may not be drawn, in kernels"),
+    (SPHERE_HITS, "hn::IfThenElse(isAhead, first, second);", "first;",
+     "the order of the roots depends on the side of the centre"),
+    (SPHERE_BOXES, "hn::Add(zt, xr), isOutside, -1.0", "hn::Sub(zt, xr), isOutside, -1.0",
+     "the tangent on the left has its own denominator"),
+    (SPHERE_BOXES, "hn::And(isOutside, hn::Gt(denominator, hn::Zero(d)))", "isOutside",
+     "spheres that cross the plane of the eye have no bound"),
+    (SPHERE_BOXES, "hn::Le(hn::Add(c.z, larger), hn::Zero(d))", "hn::Le(c.z, hn::Zero(d))",
+     "spheres around the eye are kept"),
+    (SPHERE_BOXES, "hn::Sub(c.z, larger), nothing", "c.z, nothing", "a sphere is nearer than its centre"),
+    (SPHERE_BINNING, "!box.empty() && boxes.radii[place] > 0.0", "!box.empty()",
+     "spheres of no size are not drawn"),
+    (SPHERE_BINNING, "++result.defects.notFinite;", "", "centres that are not finite are counted"),
+    (SPHERE_CASTING, "hn::Or(isUnranged, hn::Gt(isOpen, hn::Zero(d)))", "isUnranged",
+     "hits whose order is open are compared by depth"),
+    (SPHERE_POINTS, "hit.isInside && this->TwoSided ? -normal : normal", "normal",
+     "normals turn inside a sphere"),
+    (VECTOR_SPHERE_POINTS, "this->IsTwoSided ? negatedWhere(hit.isInside, normal) : normal", "normal",
+     "normals turn inside a sphere, in kernels"),
+    (LOADING_SPHERES, "part.appearance->cullFront ? 0.0 : 1.0", "1.0",
+     "kernels know that the outside is not drawn"),
+    (RUN_RANGE, "other.hasSpheres != this->hasSpheres", "false", "ranges have one kind of primitive"),
+    (SURFACE, " &&\n      !(this->hasSpheres() && this->attributes[index].isPerCell);", ";",
+     "spheres have no values of cells"),
+    (SURFACE, "this->radius * this->radii[sphere]", "this->radii[sphere]", "radii are multiplied"),
+    (SURFACE, "body(this->points[sphere] - Vec3(size));", "", "bounds include radii"),
+    (SPHERES_FROM_VTK, "settings.radius > 0.0 ? settings.radius : 1.0", "settings.radius",
+     "an array alone gives the radii"),
 ]

@@ -19,7 +19,7 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   , HasStrips(body.hasStrips)
 {
   this->setPoints(body);
-  this->setCells(body, parallel);
+  body.hasSpheres() ? this->setSpheres(body) : this->setCells(body, parallel);
   this->Result.pointNormals = keep(body.pointNormals, this->PointNormals);
   if (body.appearance.shading == lambent::Shading::Flat)
   {
@@ -94,6 +94,20 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
     : triangulate(this->cells(), this->points(), 0, parallel);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
+}
+
+void BodySurface::setSpheres(const Body& body)
+{
+  const std::size_t count = body.radii.size();
+  this->DoubleRadii = body.radii;
+  this->FloatRadii.assign(body.radii.begin(), body.radii.end());
+  this->Result.radius = body.radius;
+  if (count > 0)
+  {
+    this->Result.radii = this->HasFloats
+      ? lambent::ScalarSpan{ this->FloatRadii.data(), false, count }
+      : lambent::ScalarSpan{ this->DoubleRadii.data(), true, count };
+  }
 }
 
 lambent::TupleSpan BodySurface::points() const

@@ -45,6 +45,7 @@ private:
   void setPoints(const Body& body);
   void setColors(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
+  void setSpheres(const Body& body);
   lambent::TupleSpan points() const;
   lambent::CellSpan cells() const;
   static lambent::TupleSpan keep(const std::vector<Vec3>& tuples, std::vector<double>& memory);
@@ -54,6 +55,8 @@ private:
   const bool HasStrips;
   std::vector<float> Floats;
   std::vector<double> Doubles;
+  std::vector<float> FloatRadii;
+  std::vector<double> DoubleRadii;
   std::vector<std::int32_t> Offsets32, Ids32;
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;

@@ -14,7 +14,8 @@ namespace
 {
 bool lacksNormals(const Body& body)
 {
-  return body.appearance.shading == lambent::Shading::Smooth && body.pointNormals.empty();
+  return body.appearance.shading == lambent::Shading::Smooth && body.pointNormals.empty() &&
+    !body.hasSpheres();
 }
 
 /// Converts bodies to surfaces, and computes normals for smooth ones without them.

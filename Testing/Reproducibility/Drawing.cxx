@@ -42,6 +42,26 @@ lambent::Pass formOf(const StagePass& pass, const Stage& stage, std::size_t attr
   return form;
 }
 
+/// Keeps the tuples with these numbers, in this order, in arrays of cells or of points.
+void takeTuples(
+  const std::vector<std::size_t>& numbers, bool arePerCell, std::vector<StageArray>& arrays)
+{
+  for (StageArray& array : arrays)
+  {
+    if (array.isPerCell == arePerCell)
+    {
+      const std::vector<double> values = array.values;
+      const auto size = static_cast<std::size_t>(array.components);
+      array.values.clear();
+      for (const std::size_t number : numbers)
+      {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(number * size);
+        array.values.insert(array.values.end(), first, first + array.components);
+      }
+    }
+  }
+}
+
 /// Cell k of the result is cell cells[k] of the body.
 Body withCells(const Body& body, const std::vector<std::size_t>& cells)
 {
@@ -56,20 +76,25 @@ Body withCells(const Body& body, const std::vector<std::size_t>& cells)
       part.cellNormals.push_back(body.cellNormals[cell]);
     }
   }
-  for (StageArray& array : part.arrays)
+  takeTuples(cells, true, part.arrays);
+  return part;
+}
+
+/// Sphere k of the result is sphere points[k] of the body.
+Body withPoints(const Body& body, const std::vector<std::size_t>& points)
+{
+  Body part = body;
+  part.shape.points.clear();
+  part.radii.clear();
+  for (const std::size_t point : points)
   {
-    if (array.isPerCell)
+    part.shape.points.push_back(body.shape.points[point]);
+    if (!body.radii.empty())
     {
-      const std::vector<double> values = array.values;
-      const auto size = static_cast<std::size_t>(array.components);
-      array.values.clear();
-      for (const std::size_t cell : cells)
-      {
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(cell * size);
-        array.values.insert(array.values.end(), first, first + array.components);
-      }
+      part.radii.push_back(body.radii[point]);
     }
   }
+  takeTuples(points, false, part.arrays);
   return part;
 }
 }
@@ -119,7 +144,8 @@ std::vector<Body> shuffled(const std::vector<Body>& bodies, unsigned int seed)
   std::vector<Body> result;
   for (const Body& body : bodies)
   {
-    std::vector<std::size_t> order(body.shape.cells.size());
+    std::vector<std::size_t> order(
+      body.hasSpheres() ? body.shape.points.size() : body.shape.cells.size());
     for (std::size_t k = 0; k < order.size(); ++k)
     {
       order[k] = k;
@@ -128,12 +154,12 @@ std::vector<Body> shuffled(const std::vector<Body>& bodies, unsigned int seed)
     const std::size_t shares = 1 + random.below(3);
     for (std::size_t share = 0; share < shares; ++share)
     {
-      std::vector<std::size_t> cells;
+      std::vector<std::size_t> items; // of this share
       for (std::size_t k = share; k < order.size(); k += shares)
       {
-        cells.push_back(order[k]);
+        items.push_back(order[k]);
       }
-      result.push_back(withCells(body, cells));
+      result.push_back(body.hasSpheres() ? withPoints(body, items) : withCells(body, items));
     }
   }
   shuffle(result, random);

@@ -5,8 +5,9 @@
 SceneList allScenes()
 {
   SceneList all;
-  for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
-         colorScenes(), lightScenes(), surfaceScenes(), crowdScenes(), hostileScenes() })
+  for (const SceneList& scenes :
+    { viewScenes(), sampleScenes(), filmScenes(), passScenes(), colorScenes(), lightScenes(),
+      surfaceScenes(), crowdScenes(), sphereScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

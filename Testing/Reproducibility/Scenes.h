@@ -31,6 +31,7 @@ SceneList colorScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList crowdScenes();
+SceneList sphereScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

@@ -88,6 +88,18 @@ Body& Body::strips()
   return *this;
 }
 
+Body& Body::spheres(double size)
+{
+  this->radius = size;
+  return *this;
+}
+
+Body& Body::spheres(double factor, const std::vector<double>& sizes)
+{
+  this->radii = sizes;
+  return this->spheres(factor);
+}
+
 Body& Body::pointArray(const std::string& name, int components, lambent::AttributeType type)
 {
   StageArray array{ name, false, components, type, {} };

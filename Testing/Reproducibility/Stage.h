@@ -59,6 +59,8 @@ struct Body
   bool hasStrips = false; ///< the cells are strips, not polygons
   bool hasFloatPoints = false;
   bool has32BitIds = false;
+  double radius = 0.0;            ///< unless 0, the points are spheres
+  std::vector<double> radii;      ///< times radius, one per point; or none
   std::vector<Vec3> pointNormals; ///< one per point, or none
   std::vector<Vec3> cellNormals;  ///< one per cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
@@ -76,6 +78,11 @@ struct Body
   Body& round();
   Body& floats();
   Body& strips();
+  /// Makes the points spheres of this radius.
+  Body& spheres(double size);
+  /// Makes the points spheres of these sizes times a factor.
+  Body& spheres(double factor, const std::vector<double>& sizes);
+  bool hasSpheres() const { return this->radius > 0.0; }
   /// Adds a point array whose values are computed from the coordinates.
   Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
   /// Takes the colours from an array that is added before or afterwards.

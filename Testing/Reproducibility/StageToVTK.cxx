@@ -74,6 +74,12 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
   {
     result->GetCellData()->SetNormals(toTuples<vtkDoubleArray>(body.cellNormals));
   }
+  if (!body.radii.empty())
+  {
+    result->GetPointData()->AddArray(toArray({ radiiName, false, 1,
+      body.hasFloatPoints ? lambent::AttributeType::Float : lambent::AttributeType::Double,
+      body.radii }));
+  }
   for (const StageArray& array : body.arrays)
   {
     array.isPerCell ? result->GetCellData()->AddArray(toArray(array))

@@ -19,6 +19,9 @@ class vtkLookupTable;
 class vtkPolyData;
 class vtkProperty;
 
+/// The point array with the radii of spheres.
+constexpr const char* radiiName = "Radii";
+
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.

@@ -26,7 +26,8 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
 {
   for (Body& body : bodies)
   {
-    if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty())
+    if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty() ||
+      body.hasSpheres())
     {
       continue;
     }
@@ -63,6 +64,8 @@ void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer
       tracer->SetInputLookupTable(input, toTable(colors));
       tracer->SetInputInterpolateScalarsBeforeMapping(input, colors.isMappedLast);
     }
+    tracer->SetInputSphereRadius(input, body.radius);
+    tracer->SetInputSphereRadiusArray(input, body.radii.empty() ? nullptr : radiiName);
     ++input;
   }
   if (input == 0)

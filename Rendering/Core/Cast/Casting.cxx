@@ -127,14 +127,14 @@ void Casting<Policy>::castWaiting(TileHits<Policy>& tile, CastingMemory& memory)
     std::nth_element(waiting.items, waiting.items + begin, waiting.items + waiting.count,
       [](const WaitingPrimitive& a, const WaitingPrimitive& b) { return a.nearest > b.nearest; });
     this->castWaiting(0, begin, tile, memory);
-    this->Triangles.flush(tile, memory.triangles); // also finds tile.least
+    this->flushBatches(tile, memory); // also finds tile.least
   }
   this->castWaiting(begin, waiting.count, tile, memory);
   waiting.count = 0;
   waiting.area = 0;
 }
 
-/// Casts some of the waiting primitives. The last triangles may remain in their batch.
+/// Casts some of the waiting primitives. The last ones may remain in their batches.
 template <typename Policy>
 void Casting<Policy>::castWaiting(
   int begin, int end, TileHits<Policy>& tile, CastingMemory& memory) const
@@ -152,7 +152,33 @@ void Casting<Policy>::castWaiting(
     {
       next[k].part = &this->Mesh.mesh().partOf(next[k].waiting->number);
     }
-    this->Triangles.cast(next, count, tile, memory.triangles);
+    this->castNext(next, count, tile, memory);
+  }
+}
+
+/// Casts primitives with the kernels of their kinds.
+template <typename Policy>
+void Casting<Policy>::castNext(
+  NextPrimitive* next, int count, TileHits<Policy>& tile, CastingMemory& memory) const
+{
+  int triangles = count;
+  if (this->Mesh.mesh().hasSpheres())
+  {
+    const auto* const spheres = std::partition(
+      next, next + count, [](const NextPrimitive& one) { return !one.part->hasSpheres(); });
+    triangles = static_cast<int>(spheres - next);
+    this->Spheres.cast(spheres, count - triangles, tile, memory.spheres);
+  }
+  this->Triangles.cast(next, triangles, tile, memory.triangles);
+}
+
+template <typename Policy>
+void Casting<Policy>::flushBatches(TileHits<Policy>& tile, CastingMemory& memory) const
+{
+  this->Triangles.flush(tile, memory.triangles);
+  if (memory.spheres.count > 0)
+  {
+    this->Spheres.flush(tile, memory.spheres);
   }
 }
 
@@ -160,7 +186,7 @@ template <typename Policy>
 void Casting<Policy>::flush(TileHits<Policy>& tile, CastingMemory& memory) const
 {
   this->castWaiting(tile, memory);
-  this->Triangles.flush(tile, memory.triangles);
+  this->flushBatches(tile, memory);
 }
 
 template <typename Policy>

@@ -11,7 +11,7 @@
  * 2. If they may cover the tile many times, cast the nearest few first.
  * 3. Cast the others, but drop those that lie behind the hits of all samples.
  *
- * Triangles are cast with a kernel (TriangleCasting.h).
+ * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h).
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
  * of each sample.
@@ -20,6 +20,7 @@
 #define lambent_Casting_h
 
 #include "Bins.h"
+#include "SphereCasting.h"
 #include "TriangleCasting.h"
 
 namespace lambent
@@ -29,6 +30,7 @@ struct CastingMemory
 {
   WaitingPrimitives waiting;
   TriangleBatch triangles;
+  SphereBatch spheres;
 };
 
 template <typename Policy>
@@ -40,6 +42,7 @@ public:
     , Frame(mesh.frame())
     , Grid(grid)
     , Triangles(mesh)
+    , Spheres(mesh)
   {
   }
 
@@ -63,6 +66,10 @@ private:
   void castWaiting(TileHits<Policy>& tile, CastingMemory& memory) const;
   void castWaiting(int begin, int end, TileHits<Policy>& tile, CastingMemory& memory) const;
 
+  void castNext(
+    NextPrimitive* next, int count, TileHits<Policy>& tile, CastingMemory& memory) const;
+  void flushBatches(TileHits<Policy>& tile, CastingMemory& memory) const;
+
   template <typename Primitive>
   void test(const Primitive& primitive, std::uint32_t number, const Window& box,
     TileHits<Policy>& tile) const;
@@ -71,6 +78,7 @@ private:
   const CameraFrame& Frame;
   const TileGrid& Grid;
   const TriangleCasting<Policy> Triangles;
+  const SphereCasting<Policy> Spheres;
 };
 
 extern template class Casting<Nearest>;

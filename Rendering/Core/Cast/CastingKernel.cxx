@@ -78,7 +78,7 @@ void castColumns(const Triangles& all, int lane, const BoxTriangle& t, int i,
     const Floats value = nearness.at(j);
     const Floats from = hn::Max(hn::Sub(value, spread), farthest);
     const Floats to = hn::Min(hn::Add(value, spread), nearest);
-    open = hn::Or(open, policy.keep(sample, hit, from, to, t.number));
+    open = hn::Or(open, policy.keep(f, sample, hit, from, to, t.number));
     if (!hn::AllFalse(f, open))
     {
       std::uint8_t bits[8] = {};

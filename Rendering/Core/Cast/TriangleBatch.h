@@ -7,6 +7,7 @@
 #ifndef lambent_TriangleBatch_h
 #define lambent_TriangleBatch_h
 
+#include "ExactHit.h"
 #include "Window.h"
 
 #include <cstdint>
@@ -14,13 +15,6 @@
 
 namespace lambent
 {
-/// A hit: a sample of the tile, the triangle that its ray hits, and the depth.
-struct ExactHit
-{
-  std::uint32_t sample, triangle;
-  double depth;
-};
-
 struct TriangleBatch
 {
   static constexpr int capacity = 32;

@@ -65,7 +65,7 @@ void TriangleCasting<Policy>::flush(TileHits<Policy>& tile, TriangleBatch& batch
   tile.least = castBatch(this->Frame, tile.samples, tile.hits, batch);
   for (const ExactHit& hit : batch.hits)
   {
-    tile.hits.offer(hit.sample, hit.triangle, nearnessOf(hit.depth, this->Frame.parallel),
+    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, this->Frame.parallel),
       hit.depth, depthIn(this->Mesh, tile.samples));
   }
   batch.count = 0;

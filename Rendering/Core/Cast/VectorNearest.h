@@ -35,19 +35,21 @@ public:
   }
 
   /// Keeps certain hits of the samples from `sample` on, whose nearness lies between `from` and
-  /// `to`. Returns those whose order with the stored hits is undecided.
-  FloatMask keep(
-    std::size_t sample, FloatMask hit, Floats from, Floats to, std::uint32_t primitive) const
+  /// `to`, in vectors of any size. Returns those whose order with the stored hits is undecided.
+  template <typename Tag>
+  HWY_INLINE hn::Mask<Tag> keep(Tag tag, std::size_t sample, hn::Mask<Tag> hit, hn::Vec<Tag> from,
+    hn::Vec<Tag> to, std::uint32_t primitive) const
   {
-    const Floats oldFrom = hn::LoadU(f, this->Lows + sample),
-                 oldTo = hn::LoadU(f, this->Highs + sample);
-    const FloatMask isNearer = hn::And(hit, hn::Gt(from, oldTo));
-    hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), f, this->Lows + sample);
-    hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), f, this->Highs + sample);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(u, isNearer), hn::Set(u, primitive),
-                 hn::LoadU(u, this->Primitives + sample)),
-      u, this->Primitives + sample);
-    const FloatMask isFarther = hn::Lt(to, oldFrom);
+    const hn::RebindToUnsigned<Tag> numbers;
+    const auto oldFrom = hn::LoadU(tag, this->Lows + sample),
+               oldTo = hn::LoadU(tag, this->Highs + sample);
+    const auto isNearer = hn::And(hit, hn::Gt(from, oldTo));
+    hn::StoreU(hn::IfThenElse(isNearer, from, oldFrom), tag, this->Lows + sample);
+    hn::StoreU(hn::IfThenElse(isNearer, to, oldTo), tag, this->Highs + sample);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(numbers, isNearer), hn::Set(numbers, primitive),
+                 hn::LoadU(numbers, this->Primitives + sample)),
+      numbers, this->Primitives + sample);
+    const auto isFarther = hn::Lt(to, oldFrom);
     return hn::AndNot(hn::Or(isNearer, isFarther), hit);
   }
 

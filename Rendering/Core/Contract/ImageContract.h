@@ -7,8 +7,8 @@
  * An image is a pure function of its scene. All rendering code, in any order and on any number of
  * threads, must compute pixels with the functions of this file, Arithmetic.h and Elementary.h, in
  * the order written there, and with the definitions built on them: surface points and attributes in
- * TrianglePoints.h, colours in SurfaceColor.h and LightModel.h, averages and alpha in Film.h,
- * the background in Background.h, and passes in PassTable.h and PassStore.h.
+ * TrianglePoints.h and SpherePoints.h, colours in SurfaceColor.h and LightModel.h, averages and
+ * alpha in Film.h, the background in Background.h, and passes in PassTable.h and PassStore.h.
  *
  *
  * - Arithmetic is IEEE binary64 with + - * / sqrt, rounded to nearest. The module is compiled
@@ -21,6 +21,8 @@
  * - Smooth surfaces without normals get those of CornerNormals.h, rounded to float.
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight Ray/Triangle
  *   Intersection", JCGT 2(1), 2013, with one more condition; see intersect().
+ * - The ray-sphere test is that of Hearn and Baker, as Haines et al. give it; see
+ * intersectSphere().
  *
  * A change that can alter a single bit of an image changes users' baselines. It needs a new
  * ImageContractVersion and an entry in the change log.
@@ -37,6 +39,7 @@
 #include "Arithmetic.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lambent
@@ -102,6 +105,80 @@ inline bool intersect(
   hit.sum = (hit.e0 + hit.e1) + hit.e2;
   hit.depth = ((hit.e0 * a.z + hit.e1 * b.z) + hit.e2 * c.z) / hit.sum;
   return hit.sum != 0.0 && hit.depth > 0.0 && hit.depth < std::numeric_limits<double>::infinity();
+}
+
+/// A sphere in the camera's frame, and which of its sides are drawn: the outside is its front.
+struct Sphere
+{
+  double x, y, z; ///< the centre
+  double radius;
+  bool hasOutside, hasInside;
+};
+
+/// The hit of a ray on a sphere: the depth along the viewing direction, and the side that is seen.
+struct SphereHit
+{
+  double depth;
+  bool isInside;
+};
+
+/**
+ * Tests the ray o + t d through (x, y) of the image plane against a sphere with centre c and radius
+ * r. In a perspective view o = 0 and d = (x, y, 1), in a parallel view o = (x, y, 0) and
+ * d = (0, 0, 1); in both, t is the depth.
+ *
+ * The discriminant is that of D. Hearn and M. P. Baker, "Computer Graphics with OpenGL", as E.
+ * Haines et al. give it in "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+ * ch. 7, 2019. With f = o - c, a = d.d and b = -f.d,
+ *
+ *     l = f + (b / a) d          from the centre to the point of the ray nearest to it
+ *     disc = r^2 - l.l
+ *
+ * The classroom form b^2 - a (f.f - r^2) subtracts two large numbers if a sphere is small or far
+ * away; r^2 - l.l compares lengths of the sphere's own size. The roots are c / q and q / a, with
+ * c = f.f - r^2 and q = b + sqrt(a disc), or b - sqrt(a disc) if b is not positive, so that q is no
+ * difference either.
+ *
+ * The nearer root is on the outside of the sphere and the farther one on its inside. Their order
+ * follows from the sign of b, so that rounding cannot exchange them. The hit is the first of the
+ * two that has a depth above 0 and is on a side that is drawn.
+ *
+ * In a parallel view d has two zeros and a is 1; multiplications by them are left out, since they
+ * change no bit of a finite number.
+ *
+ * disc must be above 0. So a ray that only touches a sphere misses it, a sphere of radius 0 is not
+ * hit, and q is not 0. Returns false for NaN, and for a radius that is not positive.
+ */
+inline bool intersectSphere(const Sphere& s, double x, double y, bool parallel, SphereHit& hit)
+{
+  double a = 1.0, b = s.z, lx = x - s.x, ly = y - s.y, lz = 0.0;
+  double fx = lx, fy = ly;
+  if (!parallel)
+  {
+    a = (x * x + y * y) + 1.0;
+    b = (s.x * x + s.y * y) + s.z;
+    const double nearest = b / a;
+    lx = nearest * x - s.x;
+    ly = nearest * y - s.y;
+    lz = nearest - s.z;
+    fx = s.x;
+    fy = s.y;
+  }
+  const double square = s.radius * s.radius;
+  const double disc = square - ((lx * lx + ly * ly) + lz * lz);
+  if (!(disc > 0.0 && s.radius > 0.0))
+  {
+    return false;
+  }
+  const double c = ((fx * fx + fy * fy) + s.z * s.z) - square;
+  const double root = std::sqrt(a * disc);
+  const double q = b > 0.0 ? b + root : b - root;
+  const double outside = b > 0.0 ? c / q : q / a;
+  const double inside = b > 0.0 ? q / a : c / q;
+  hit.isInside = !(s.hasOutside && outside > 0.0);
+  hit.depth = hit.isInside ? inside : outside;
+  return hit.depth > 0.0 && hit.depth < std::numeric_limits<double>::infinity() &&
+    !(hit.isInside && !s.hasInside);
 }
 
 /// The byte of a colour channel: floor(255 clamp(value, 0, 1) + 1/2). There is no gamma. NaN gives

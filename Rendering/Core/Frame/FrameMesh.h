@@ -35,6 +35,24 @@ struct FrameTriangle
   }
 };
 
+struct FrameSphere
+{
+  Sphere sphere;
+  bool parallel;
+
+  bool isHit(double x, double y, SphereHit& hit) const
+  {
+    return intersectSphere(this->sphere, x, y, this->parallel, hit);
+  }
+  bool isHit(double x, double y, double& depth) const
+  {
+    SphereHit hit{};
+    const bool isHit = this->isHit(x, y, hit);
+    depth = hit.depth;
+    return isHit;
+  }
+};
+
 class FrameMesh
 {
 public:
@@ -49,18 +67,32 @@ public:
 
   FrameTriangle triangle(std::uint32_t number) const
   {
-    const SceneMesh::Part& part = this->Mesh.partOf(number);
+    return this->triangle(this->Mesh.partOf(number), number);
+  }
+  FrameTriangle triangle(const SceneMesh::Part& part, std::uint32_t number) const
+  {
     const std::size_t first = 3 * (number - part.firstPrimitive);
     const auto corner = [&](std::size_t k)
     { return this->Frame.toFrame(part.points()[part.corners()[first + k]]); };
     return { corner(0), corner(1), corner(2), *part.appearance };
   }
 
+  FrameSphere sphere(const SceneMesh::Part& part, std::uint32_t number) const
+  {
+    const std::size_t point = number - part.firstPrimitive;
+    const FramePoint center = this->Frame.toFrame(part.points()[point]);
+    return { { center.x, center.y, center.z, part.surface->radiusOf(point),
+               !part.appearance->cullFront, !part.appearance->cullBack },
+      this->Frame.parallel };
+  }
+
   /// Returns body(primitive), where the primitive is a struct of its kind, see above.
   template <typename Body>
   auto visit(std::uint32_t number, const Body& body) const
   {
-    return body(this->triangle(number));
+    const SceneMesh::Part& part = this->Mesh.partOf(number);
+    return part.hasSpheres() ? body(this->sphere(part, number))
+                             : body(this->triangle(part, number));
   }
 
   /// Whether the ray through (x, y) hits a primitive, and at which depth.

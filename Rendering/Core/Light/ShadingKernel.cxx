@@ -72,8 +72,9 @@ void shadeColored(const Points& points, const LightModel& light, const RunRange&
     keep, batch);
 }
 
-void ShadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
-  SampleBatch& batch, PointBatch* result)
+template <bool HasSpheres>
+HWY_INLINE void shadeRange(const SurfacePoints& points, const LightModel& light,
+  const RunRange& range, SampleBatch& batch, PointBatch* result)
 {
   const Vector3 eye = set(points.eye());
   const auto keep = [&](const VectorSurfacePoint& point, M isWanted, int place)
@@ -83,7 +84,7 @@ void ShadeSamples(const SurfacePoints& points, const LightModel& light, const Ru
       store(point, eye, isWanted, *result, place);
     }
   };
-  withPoints(points, range, batch,
+  withPoints<HasSpheres>(points, range, batch,
     [&](const auto& vectorPoints)
     {
       if (!range.appearance)
@@ -101,6 +102,18 @@ void ShadeSamples(const SurfacePoints& points, const LightModel& light, const Ru
       }
     });
 }
+
+void ShadeTriangles(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result)
+{
+  shadeRange<false>(points, light, range, batch, result);
+}
+
+void ShadeSpheres(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result)
+{
+  shadeRange<true>(points, light, range, batch, result);
+}
 }
 }
 }
@@ -109,12 +122,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(ShadeSamples);
+HWY_EXPORT(ShadeTriangles);
+HWY_EXPORT(ShadeSpheres);
 
 void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result)
 {
-  HWY_DYNAMIC_DISPATCH(ShadeSamples)(points, light, range, batch, result);
+  range.hasSpheres ? HWY_DYNAMIC_DISPATCH(ShadeSpheres)(points, light, range, batch, result)
+                   : HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch, result);
 }
 }
 #endif

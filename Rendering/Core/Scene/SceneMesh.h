@@ -4,9 +4,9 @@
  * @file
  * @brief the surfaces of a scene, with primitives and points numbered consecutively
  *
- * A primitive is what a ray hits as a whole: a triangle. Primitives and points are counted over all
- * surfaces in order. So (input, cell, primitive within the cell) becomes one number. Of two hits at
- * the same depth, the one with the smaller number is kept.
+ * A primitive is what a ray hits as a whole: a triangle or a sphere. Primitives and points are
+ * counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
+ * number. Of two hits at the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
 #define lambent_SceneMesh_h
@@ -60,8 +60,9 @@ public:
       , HasDoubleNormals(s.pointNormals.isDouble)
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
-          (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0)))
-      , Source(sourceOf(s.colors))
+          (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
+          (s.hasSpheres() ? Spheres : 0)))
+      , Source(sourceOf(s))
     {
     }
 
@@ -76,6 +77,7 @@ public:
     ColorSource colorSource() const { return this->Source; }
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
+    bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -87,11 +89,11 @@ public:
     }
 
   private:
-    static ColorSource sourceOf(const ColorArray* colors)
+    static ColorSource sourceOf(const Surface& s)
     {
-      return !colors || colors->values.isPerCell ? ColorSource::Primitive
-        : colors->isMappedLast                   ? ColorSource::MappedLast
-                                                 : ColorSource::Interpolated;
+      return !s.colors || s.colors->values.isPerCell || s.hasSpheres() ? ColorSource::Primitive
+        : s.colors->isMappedLast                                       ? ColorSource::MappedLast
+                                                                       : ColorSource::Interpolated;
     }
 
     enum : unsigned char
@@ -100,7 +102,8 @@ public:
       NormalNumbers = 2,
       CellNormals = 4,
       Culling = 8,
-      Colored = 16
+      Colored = 16,
+      Spheres = 32
     };
     const void* Points;
     const void* Corners;
@@ -115,6 +118,8 @@ public:
 
   std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
+  /// Whether some primitives are spheres.
+  bool hasSpheres() const { return this->HasSpheres; }
 
   /// The part that holds a primitive.
   const Part& partOf(std::size_t primitive) const
@@ -163,7 +168,8 @@ private:
   {
     std::size_t begin, end;
     std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
-    const Appearance* first = nullptr;      ///< of the first surface, and those equal to it
+    bool hasSpheres = false;
+    const Appearance* first = nullptr; ///< of the first surface, and those equal to it
     const Appearance* last = nullptr;
     const Appearance* replacement = nullptr; ///< of first, in the whole scene
   };
@@ -195,6 +201,7 @@ private:
   int Shift = 0;
   std::size_t Primitives = 0;
   std::size_t Points = 0;
+  bool HasSpheres = false;
 };
 }
 

@@ -60,12 +60,15 @@ struct Appearance
 
 static_assert(offsetof(Appearance, shading) == 8 * sizeof(double), "isSameAs() compares them");
 
-/// A triangle mesh: triangle t has the corners 3t, 3t+1, 3t+2.
+/// A triangle mesh, in which triangle t has the corners 3t, 3t+1, 3t+2; or, if it has a radius,
+/// spheres, in which sphere s has its centre at point s.
 struct Surface
 {
   // Geometry.
   TupleSpan points;
-  IndexSpan corners;
+  IndexSpan corners;   ///< not used by spheres
+  double radius = 0.0; ///< of all spheres; 0: the surface has triangles
+  ScalarSpan radii;    ///< one per point, each times `radius`; or none
 
   // Attributes.
   TupleSpan pointNormals; ///< one per point, or none
@@ -78,10 +81,12 @@ struct Surface
 
   Appearance appearance;
   /// Colours of points or cells, which replace the diffuse and the ambient colour, or nullptr.
+  /// Spheres can only have those of their points.
   const ColorArray* colors = nullptr;
 
   // Origin.
-  /// The cell of each triangle. If nullptr, the cell is firstCell + triangle.
+  /// The cell of each triangle. If nullptr, the cell is firstCell + triangle. A sphere has the
+  /// number of its point instead.
   const std::int64_t* cells = nullptr;
   std::int64_t firstCell = 0;
 
@@ -93,22 +98,39 @@ struct Surface
   {
     return this->normalNumbers.data ? this->normalNumbers : this->corners;
   }
-  /// An attribute by its index, or nullptr if the surface does not have it.
+  /// An attribute by its index, or nullptr if the surface does not have it. Spheres belong to no
+  /// cell, so they have no attributes of cells.
   const AttributeSpan* attribute(std::size_t index) const
   {
-    const bool isThere = index < this->attributes.size() && this->attributes[index];
+    const bool isThere = index < this->attributes.size() && this->attributes[index] &&
+      !(this->hasSpheres() && this->attributes[index].isPerCell);
     return isThere ? &this->attributes[index] : nullptr;
   }
   std::size_t triangleCount() const { return this->corners.size / 3; }
-  /// The number of primitives of the surface, which are triangles.
-  std::size_t primitiveCount() const { return this->triangleCount(); }
+  bool hasSpheres() const { return this->radius > 0.0; }
+  double radiusOf(std::size_t sphere) const
+  {
+    return this->radii ? this->radius * this->radii[sphere] : this->radius;
+  }
+  /// The number of primitives of the surface, which are all triangles or all spheres.
+  std::size_t primitiveCount() const
+  {
+    return this->hasSpheres() ? this->points.size : this->triangleCount();
+  }
 
   /// Calls body(point) for points whose bounding box is that of the primitives [begin, end): the
-  /// corners of the triangles, except those whose point does not exist.
+  /// corners of the triangles, except those whose point does not exist; or opposite corners of the
+  /// boxes around spheres.
   template <typename Body>
   void forBoundingPoints(std::size_t begin, std::size_t end, Body&& body) const
   {
-    for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner)
+    for (std::size_t sphere = begin; this->hasSpheres() && sphere < end; ++sphere)
+    {
+      const double size = this->radiusOf(sphere);
+      body(this->points[sphere] - Vec3(size));
+      body(this->points[sphere] + Vec3(size));
+    }
+    for (std::size_t corner = 3 * begin; !this->hasSpheres() && corner < 3 * end; ++corner)
     {
       const std::uint64_t id = this->corners[corner];
       if (id < this->points.size)
@@ -117,10 +139,11 @@ struct Surface
       }
     }
   }
-  std::int64_t cellOf(std::size_t triangle) const
+  /// The cell of a triangle, or the number of a sphere.
+  std::int64_t cellOf(std::size_t primitive) const
   {
-    return this->cells ? this->cells[triangle]
-                       : this->firstCell + static_cast<std::int64_t>(triangle);
+    return this->cells ? this->cells[primitive]
+                       : this->firstCell + static_cast<std::int64_t>(primitive);
   }
 };
 }

@@ -19,11 +19,12 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-void ComputePoints(
+template <bool HasSpheres>
+HWY_INLINE void computeRange(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
 {
   const Vector3 eye = set(points.eye());
-  withPoints(points, range, batch,
+  withPoints<HasSpheres>(points, range, batch,
     [&](const auto& vectorPoints)
     {
       for (int place = VectorSamples::begin(range); place < range.end;
@@ -38,6 +39,18 @@ void ComputePoints(
       }
     });
 }
+
+void ComputeTrianglePoints(
+  const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
+{
+  computeRange<false>(points, range, batch, result);
+}
+
+void ComputeSpherePoints(
+  const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
+{
+  computeRange<true>(points, range, batch, result);
+}
 }
 }
 }
@@ -46,12 +59,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(ComputePoints);
+HWY_EXPORT(ComputeTrianglePoints);
+HWY_EXPORT(ComputeSpherePoints);
 
 void computePoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
 {
-  HWY_DYNAMIC_DISPATCH(ComputePoints)(points, range, batch, result);
+  range.hasSpheres ? HWY_DYNAMIC_DISPATCH(ComputeSpherePoints)(points, range, batch, result)
+                   : HWY_DYNAMIC_DISPATCH(ComputeTrianglePoints)(points, range, batch, result);
 }
 }
 #endif

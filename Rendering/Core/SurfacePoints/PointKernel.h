@@ -13,7 +13,7 @@
 
 namespace lambent
 {
-/// Fills in the surface points of the samples of a range. Its triangles must be loaded.
+/// Fills in the surface points of the samples of a range. Loads its primitives.
 void computePoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result);
 }

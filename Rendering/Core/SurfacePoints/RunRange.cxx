@@ -9,19 +9,20 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->part = &first;
   this->appearance = first.hasOneColor() ? first.appearance : nullptr;
   this->colorSource = first.colorSource();
+  this->hasSpheres = first.hasSpheres();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
 }
 
-/// Extends the range to another part. Returns false, and does nothing, if that is shaded in another
-/// way.
+/// Extends the range to another part. Returns false, and does nothing, if that has another kind of
+/// primitive or is shaded in another way.
 bool RunRange::join(const SceneMesh::Part& next)
 {
   RunRange other;
   other.begin(next);
   if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth) ||
-    other.colorSource != this->colorSource)
+    other.colorSource != this->colorSource || other.hasSpheres != this->hasSpheres)
   {
     return false;
   }

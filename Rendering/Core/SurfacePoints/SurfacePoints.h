@@ -5,12 +5,13 @@
  * @brief the surface points of a scene, whatever kind of primitive a ray hits
  *
  * Painting, light and passes ask here and do not know the kinds. Each kind has a class with a
- * definition for single hits (TrianglePoints.h) and a twin for several hits at a time
- * (VectorTrianglePoints.h, chosen in VectorSurfacePoints.h).
+ * definition for single hits (TrianglePoints.h, SpherePoints.h) and a twin for several hits at a
+ * time (VectorTrianglePoints.h, VectorSpherePoints.h, chosen in VectorSurfacePoints.h).
  */
 #ifndef lambent_SurfacePoints_h
 #define lambent_SurfacePoints_h
 
+#include "SpherePoints.h"
 #include "TriangleAttribute.h"
 #include "TrianglePoints.h"
 
@@ -21,21 +22,27 @@ class SurfacePoints
 public:
   SurfacePoints(const FrameMesh& mesh, bool isTwoSided)
     : Triangles(mesh, isTwoSided)
+    , Spheres(mesh, isTwoSided)
   {
   }
 
   /// The surface point where the ray through (x, y) hits a primitive.
   SurfacePoint at(std::uint32_t primitive, double x, double y) const
   {
-    return this->Triangles.at(primitive, x, y);
+    const SceneMesh::Part& part = this->mesh().partOf(primitive);
+    return part.hasSpheres() ? this->Spheres.at(part, primitive, x, y)
+                             : this->Triangles.at(primitive, x, y);
   }
 
   /// A component of an attribute at a surface point with these weights: the value of the cell, or
-  /// that of the points, interpolated. NaN if the surface has no such attribute.
+  /// that of the points, interpolated; that of the centre of a sphere. NaN if the surface has no
+  /// such attribute.
   double attribute(
     std::uint32_t primitive, const Vec3& weights, std::size_t attribute, int component) const
   {
-    return this->Triangles.attribute(primitive, weights, attribute, component);
+    const SceneMesh::Part& part = this->mesh().partOf(primitive);
+    return part.hasSpheres() ? SpherePoints::attribute(part, primitive, attribute, component)
+                             : this->Triangles.attribute(primitive, weights, attribute, component);
   }
 
   /// Calls store(valueOf), where valueOf(place, k) is component k of an attribute at a place of the
@@ -44,15 +51,18 @@ public:
   void visitAttribute(const AttributeSpan& values, const SceneMesh::Part& part,
     std::uint32_t primitive, const PointBatch& points, const Store& store) const
   {
-    visitTriangleAttribute(values, part, primitive, points, store);
+    part.hasSpheres() ? visitSphereAttribute(values, part, primitive, store)
+                      : visitTriangleAttribute(values, part, primitive, points, store);
   }
 
   const SceneMesh& mesh() const { return this->Triangles.mesh().mesh(); }
   const Vec3& eye() const { return this->Triangles.mesh().frame().eye; }
   const TrianglePoints& triangles() const { return this->Triangles; }
+  const SpherePoints& spheres() const { return this->Spheres; }
 
 private:
   const TrianglePoints Triangles;
+  const SpherePoints Spheres;
 };
 }
 

@@ -15,6 +15,7 @@
 
 #include "LoadTriangles.h"
 #include "SurfacePoints.h"
+#include "VectorSpherePoints.h"
 #include "VectorTrianglePoints.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,13 +25,22 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// Calls body(points): points.at(runs, x, y) returns a VectorSurfacePoint of samples in the range.
-template <typename Body>
+/// Calls body(points): points.at(runs, x, y) returns a VectorSurfacePoint of samples in the range,
+/// whose kind of primitive is known when a kernel is compiled.
+template <bool HasSpheres, typename Body>
 HWY_INLINE void withPoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, const Body& body)
 {
-  loadTriangles(range, batch);
-  body(VectorTrianglePoints(points.triangles(), range, batch));
+  if constexpr (HasSpheres)
+  {
+    loadSpheres(range, batch);
+    body(VectorSpherePoints(points.spheres(), range, batch));
+  }
+  else
+  {
+    loadTriangles(range, batch);
+    body(VectorTrianglePoints(points.triangles(), range, batch));
+  }
 }
 }
 }

@@ -5,12 +5,13 @@
  * @brief streams the primitives past the samples, and bins each one in the tiles that it touches
  *
  * The primitives of a surface are all of one kind. Each kind has a class that puts them into the
- * bins of the tiles whose rays they may hit: TriangleBinning. It may keep too many tiles, never too
- * few, and may bin a certain hit instead of the primitive.
+ * bins of the tiles whose rays they may hit: TriangleBinning and SphereBinning. It may keep too
+ * many tiles, never too few, and may bin a certain hit instead of the primitive.
  */
 #ifndef lambent_Binning_h
 #define lambent_Binning_h
 
+#include "SphereBinning.h"
 #include "TriangleBinning.h"
 
 namespace lambent
@@ -25,17 +26,19 @@ struct BinningMemory
 
   BinningResult result;
   TriangleBinningMemory triangles;
+  SphereBoxes spheres;
 };
 
 class Binning
 {
 public:
-  /// positions: one per point of the mesh. Without culling, every primitive goes to every tile.
-  /// Kernels require culling.
+  /// positions: one per point of the mesh, undefined for those of spheres. Without culling, every
+  /// primitive goes to every tile. Kernels require culling.
   Binning(const FrameMesh& mesh, const PointLattice& lattice, const LatticePosition* positions,
     const TileGrid& grid, const Window& part, bool culling, bool kernels)
     : Mesh(mesh.mesh())
     , Triangles(mesh, lattice, positions, grid, part, culling, kernels)
+    , Spheres(mesh, lattice, grid, culling)
   {
   }
 
@@ -44,7 +47,10 @@ public:
   {
     this->Mesh.forPrimitives(begin, end,
       [&](const SceneMesh::Part& part, std::size_t from, std::size_t to)
-      { this->Triangles.add(part, from, to, memory.triangles, memory.result); });
+      {
+        part.hasSpheres() ? this->Spheres.add(part, from, to, memory.spheres, memory.result)
+                          : this->Triangles.add(part, from, to, memory.triangles, memory.result);
+      });
     this->Triangles.binBoxes(memory.triangles, memory.result);
   }
   void flush(BinningMemory& memory) const
@@ -55,6 +61,7 @@ public:
 private:
   const SceneMesh& Mesh;
   const TriangleBinning Triangles;
+  const SphereBinning Spheres;
 };
 }
 

@@ -176,8 +176,8 @@ public:
   }
 
   /// Adds a primitive to the tiles that contain samples of its box; `nearest` as in BinEntry. If
-  /// the box is exact, these may be finest tiles, whose boxes are all exact. Otherwise they are
-  /// tiles of a coarser level.
+  /// the box is exact, these may be finest tiles, where the boxes of triangles are all exact.
+  /// Otherwise they are tiles of a coarser level. Boxes of spheres count as exact.
   void insert(std::uint32_t primitive, const Window& samples, bool isExact, float nearest)
   {
     const TileGrid::Level level = this->Grid->levelFor(samples, isExact ? 0 : 1);

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SphereCasting.h"
+
+#include "SphereCastingKernel.h"
+
+#include <hwy/cache_control.h>
+
+namespace lambent
+{
+template <typename Policy>
+void SphereCasting<Policy>::cast(
+  const NextPrimitive* spheres, int count, TileHits<Policy>& tile, SphereBatch& batch) const
+{
+  for (int k = 0; k < count; ++k)
+  {
+    const SceneMesh::Part& part = *spheres[k].part;
+    hwy::Prefetch(part.points().at(spheres[k].waiting->number - part.firstPrimitive));
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    this->add(spheres[k], tile, batch);
+  }
+}
+
+template <typename Policy>
+void SphereCasting<Policy>::add(
+  const NextPrimitive& sphere, TileHits<Policy>& tile, SphereBatch& batch) const
+{
+  const SceneMesh::Part& part = *sphere.part;
+  const std::size_t point = sphere.waiting->number - part.firstPrimitive;
+  const Vec3 center = part.points()[point];
+  batch.centers[0][batch.count] = center.x;
+  batch.centers[1][batch.count] = center.y;
+  batch.centers[2][batch.count] = center.z;
+  batch.radii[batch.count] = part.surface->radiusOf(point);
+  batch.spheres[batch.count] = sphere.waiting->number;
+  batch.boxes[batch.count] = sphere.waiting->box;
+  batch.nearest[batch.count] = sphere.waiting->nearest;
+  batch.hasOutside[batch.count] = !part.appearance->cullFront;
+  batch.hasInside[batch.count] = !part.appearance->cullBack;
+  if (++batch.count == SphereBatch::capacity)
+  {
+    this->flush(tile, batch);
+  }
+}
+
+template <typename Policy>
+void SphereCasting<Policy>::flush(TileHits<Policy>& tile, SphereBatch& batch) const
+{
+  tile.least = castBatch(this->Frame, tile.samples, tile.hits, batch);
+  for (const ExactHit& hit : batch.hits)
+  {
+    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, this->Frame.parallel),
+      hit.depth, depthIn(this->Mesh, tile.samples));
+  }
+  batch.count = 0;
+  batch.hits.clear();
+}
+
+template class SphereCasting<Nearest>;
+}
