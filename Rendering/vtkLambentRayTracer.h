@@ -45,10 +45,10 @@
  *
  * Bad input: errors are a composite input, a polygon or strip that uses a point that does
  * not exist, normals or radii of the wrong length, radii that are negative or not finite, an
- * image size below 1 or too large for the memory, a view angle outside (0, 180) degrees, a view-up parallel to the view direction,
- * and settings that are not finite. They name the cause and the remedy, and the output is empty.
- * Cells and spheres with points that are not finite are skipped, with one warning. Without any
- * triangles or spheres the image shows the background.
+ * image size below 1 or too large for the memory, a view angle outside (0, 180) degrees, a
+ * view-up parallel to the view direction, and settings that are not finite. They name the cause
+ * and the remedy, and the output is empty. Cells and spheres with points that are not finite are
+ * skipped, with one warning. Without any triangles or spheres the image shows the background.
  *
  * @warning
  * Not all settings of VTK's objects have an effect. The image depends on vtkCamera's
