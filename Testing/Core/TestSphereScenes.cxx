@@ -5,6 +5,7 @@
 #include "FilmPicture.h"
 #include "InstructionSets.h"
 #include "LightModel.h"
+#include "RandomNumbers.h"
 #include "RandomSpheres.h"
 #include "SurfacePoints.h"
 #include "ThreadedParallel.h"
@@ -179,6 +180,32 @@ TEST(SphereScenes, PartsEqualTheWhole)
   {
     const Subject subject(makeFewRandomSpheres(seed), 1 + static_cast<int>(seed % 3));
     expectPartEqualToTheWhole(subject.random, subject.request, seed);
+  }
+}
+
+// Squares underflow, so that both the ray test and the tangents lose digits.
+TEST(SphereScenes, EqualBruteForceWithTinyCoordinates)
+{
+  for (int exponent = -164; exponent <= -134; exponent += 5)
+  {
+    RandomNumbers numbers(static_cast<unsigned int>(-exponent));
+    const double size = std::pow(10.0, exponent);
+    std::vector<double> points;
+    for (int k = 0; k < 600; ++k)
+    {
+      points.push_back(size * numbers.within(-1.0, 1.0) - (k % 3 == 2 ? 2.0 * size : 0.0));
+    }
+    Surface surface;
+    surface.points = { points.data(), true, points.size() / 3 };
+    surface.radius = 0.05 * size;
+    RandomScene random;
+    random.width = random.height = 100;
+    random.scene.camera.position = Vec3(0.0);
+    random.scene.camera.focalPoint = { 0.0, 0.0, -1.0 };
+    random.scene.surfaces = { surface };
+    EXPECT_TRUE(makePicture(random, FilmRequest(), whole(random), Settings()) ==
+      makeByBruteForce(random, FilmRequest()))
+      << "1e" << exponent;
   }
 }
 

@@ -21,6 +21,9 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
+/// Below it, squares may lose digits: they are not all normal numbers.
+constexpr double smallestSquare = 1e-270;
+
 constexpr double radiusSlack = 0x1p-46;
 constexpr double tangentSlack = 0x1p-49;
 constexpr double boundSlack = 0x1p-48;
@@ -86,13 +89,15 @@ void FindSphereBoxes(const PointLattice& lattice, SphereBoxes& boxes)
     const V distance =
       hn::Sqrt(hn::Add(hn::Add(hn::Mul(c.x, c.x), hn::Mul(c.y, c.y)), hn::Mul(c.z, c.z)));
     const V reach = hn::Add(distance, radius);
-    const M isFinite = hn::Lt(hn::Mul(reach, reach), infinity); // false for NaN
-    c.x = hn::IfThenElseZero(isFinite, c.x);
-    c.y = hn::IfThenElseZero(isFinite, c.y);
-    c.z = hn::IfThenElseZero(isFinite, c.z);
+    const V square = hn::Mul(reach, reach);
+    const M isOrdinary =
+      hn::And(hn::Lt(square, infinity), hn::Gt(square, hn::Set(d, smallestSquare)));
+    c.x = hn::IfThenElseZero(isOrdinary, c.x);
+    c.y = hn::IfThenElseZero(isOrdinary, c.y);
+    c.z = hn::IfThenElseZero(isOrdinary, c.z);
     const V larger =
-      hn::IfThenElseZero(isFinite, hn::Add(radius, hn::Mul(reach, hn::Set(d, radiusSlack))));
-    const M isDropped = hn::Or(hn::Not(isFinite), hn::Le(hn::Add(c.z, larger), hn::Zero(d)));
+      hn::IfThenElseZero(isOrdinary, hn::Add(radius, hn::Mul(reach, hn::Set(d, radiusSlack))));
+    const M isDropped = hn::Or(hn::Not(isOrdinary), hn::Le(hn::Add(c.z, larger), hn::Zero(d)));
     const bool parallel = lattice.frame().parallel;
     const auto bounds = [&](V x)
     {
@@ -104,7 +109,7 @@ void FindSphereBoxes(const PointLattice& lattice, SphereBoxes& boxes)
     storeSamples(
       lattice.rows(), lattice.samplesPerUnit(), bounds(c.y), isDropped, boxes.j0 + k, boxes.j1 + k);
     const V nothing = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
-    hn::StoreU(hn::IfThenElse(isFinite, hn::Sub(c.z, larger), nothing), d, boxes.nearest + k);
+    hn::StoreU(hn::IfThenElse(isOrdinary, hn::Sub(c.z, larger), nothing), d, boxes.nearest + k);
   }
 }
 }

@@ -51,7 +51,8 @@ struct SphereBoxes
   // Output.
   /// Columns i0 to i1 - 1 and rows j0 to j1 - 1. A sphere without samples has an empty box.
   alignas(64) std::int32_t i0[room], i1[room], j0[room], j1[room];
-  /// Not more than the depth of any hit. NaN if some number is not finite; then there is no box.
+  /// Not more than the depth of any hit. NaN if some number is not finite, or if squares overflow
+  /// or underflow; then there is no box.
   alignas(64) double nearest[room];
 };
 
