@@ -5,6 +5,7 @@
 #include "AppearanceFromVTK.h"
 #include "BackgroundFromVTK.h"
 #include "CameraFromVTK.h"
+#include "InputName.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
 
@@ -13,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -54,12 +56,10 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "SetTexture() has no effect. Call SetColor() and RemoveAllTextures().");
 }
 
-/// Names the inputs in a few words, no matter how many there are.
-std::string nameInputs(const std::vector<std::size_t>& inputs)
+/// Names several things in a few words, given the name of the first.
+std::string nameSeveral(const std::string& first, std::size_t count)
 {
-  const std::size_t others = inputs.size() - 1;
-  return "Input " + std::to_string(inputs.front()) +
-    (others > 0 ? " and " + std::to_string(others) + " more" : "");
+  return first + (count > 1 ? " and " + std::to_string(count - 1) + " more" : "");
 }
 
 /// Checks each property once, even if several inputs share it.
@@ -67,31 +67,77 @@ void addProperties(Messages& messages, const SceneSettings& settings)
 {
   vtkProperty* const common = settings.property;
   bool isCommonUsed = false;
-  std::vector<std::pair<vtkProperty*, std::vector<std::size_t>>>
-    users; // ordered by the first input that uses each
+  // The connections that use each, ordered by the first of them.
+  std::vector<std::pair<vtkProperty*, std::vector<int>>> users;
   std::unordered_map<vtkProperty*, std::size_t> placeOf;
-  for (std::size_t k = 0; k < settings.inputs.size(); ++k)
+  for (const SceneSettings::Input& input : settings.inputs)
   {
-    vtkProperty* const own = settings.inputs[k].property;
+    vtkProperty* const own = input.property;
     isCommonUsed = isCommonUsed || !own || own == common;
     if (own && own != common)
     {
       const auto [place, isNew] = placeOf.emplace(own, users.size());
       if (isNew)
       {
-        users.emplace_back(own, std::vector<std::size_t>());
+        users.emplace_back(own, std::vector<int>());
       }
-      users[place->second].second.push_back(k);
+      std::vector<int>& connections = users[place->second].second;
+      if (connections.empty() || connections.back() != input.connection) // once for all its blocks
+      {
+        connections.push_back(input.connection);
+      }
     }
   }
-  for (const auto& [property, inputs] : users)
+  for (const auto& [property, connections] : users)
   {
-    addProperty(messages, nameInputs(inputs) + ":", property);
+    const std::string first = nameOfInput(connections.front(), -1, "");
+    addProperty(messages, nameSeveral(first, connections.size()) + ":", property);
   }
   if (isCommonUsed && common)
   {
     addProperty(messages, "The property of all inputs:", common);
   }
+}
+
+void addBlocks(Messages& messages, const SceneSettings& settings)
+{
+  std::string first;
+  std::size_t count = 0;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    if (input.opacity && *input.opacity != 1.0 && count++ == 0)
+    {
+      first = nameOf(input);
+    }
+  }
+  if (count > 0)
+  {
+    messages.push_back(nameSeveral(first, count) +
+      ": vtkCompositeDataDisplayAttributes::SetBlockOpacity() has no effect; every surface is "
+      "opaque. Set it back to 1, or call SetBlockVisibility() to hide the block.");
+  }
+}
+
+/// Names all leaves that cannot be drawn, or, if there are many, the first ones.
+void addUndrawableBlocks(Messages& messages, const std::vector<std::string>& blocks)
+{
+  constexpr std::size_t mostNamed = 20;
+  if (blocks.empty())
+  {
+    return;
+  }
+  std::string list;
+  for (std::size_t k = 0; k < std::min(mostNamed, blocks.size()); ++k)
+  {
+    list += (k > 0 ? "; " : "") + blocks[k];
+  }
+  if (blocks.size() > mostNamed)
+  {
+    list += "; and " + std::to_string(blocks.size() - mostNamed) + " more";
+  }
+  messages.push_back("Only vtkPolyData can be rendered; this is left out: " + list +
+    ". Connect the input through vtkCompositeDataGeometryFilter, or each block through "
+    "vtkDataSetSurfaceFilter, which extract surfaces.");
 }
 
 /// Why no normals are computed, and the remedy. Empty if some are computed, or if no input has
@@ -196,6 +242,8 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
     }
   }
   addProperties(messages, settings);
+  addBlocks(messages, settings);
+  addUndrawableBlocks(messages, settings.undrawableBlocks);
   addNormalSettings(messages, settings);
   addLights(messages, settings);
   addBackground(messages, settings);

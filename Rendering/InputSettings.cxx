@@ -43,22 +43,11 @@ std::vector<int> match(
 }
 }
 
-vtkProperty* InputSettings::property(int connection) const
+const InputSetting& InputSettings::of(int connection) const
 {
+  static const InputSetting none;
   const auto found = this->Settings.find(connection);
-  return found == this->Settings.end() ? nullptr : found->second.Property.Get();
-}
-
-void InputSettings::setProperty(int connection, vtkProperty* property)
-{
-  if (property)
-  {
-    this->Settings[connection].Property = property;
-  }
-  else
-  {
-    this->Settings.erase(connection);
-  }
+  return found == this->Settings.end() ? none : found->second;
 }
 
 void InputSettings::follow(vtkAlgorithm* filter, const std::function<void()>& change, int removed)

@@ -12,6 +12,8 @@
 #ifndef InputSettings_h
 #define InputSettings_h
 
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 
@@ -23,9 +25,14 @@ class vtkAlgorithm;
 
 namespace lambent::adapters
 {
+/// The settings of a connection. Null means that one is not set.
 struct InputSetting
 {
-  vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
+  vtkSmartPointer<vtkProperty> Property;
+  vtkSmartPointer<vtkMatrix4x4> Transform;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> BlockAttributes;
+
+  bool isEmpty() const { return !this->Property && !this->Transform && !this->BlockAttributes; }
 };
 
 class InputSettings
@@ -34,8 +41,20 @@ public:
   /// The settings by the number of the connection; only those that are set.
   const std::map<int, InputSetting>& all() const { return this->Settings; }
 
-  vtkProperty* property(int connection) const;
-  void setProperty(int connection, vtkProperty* property);
+  /// An empty one if none is set.
+  const InputSetting& of(int connection) const;
+
+  /// Calls change(setting), and forgets the setting if it is then empty.
+  template <typename Change>
+  void change(int connection, Change&& change)
+  {
+    InputSetting& setting = this->Settings[connection];
+    change(setting);
+    if (setting.isEmpty())
+    {
+      this->Settings.erase(connection);
+    }
+  }
 
   /// Runs `change`, which changes the connections of port 0, and makes the settings follow their
   /// connections. `removed` is the number of the connection that it removes, if known.

@@ -27,7 +27,6 @@ public:
   const InputSurfaces& surfaces() const { return this->Surfaces; }
 
 private:
-  static std::vector<vtkPolyData*> meshes(const SceneSettings& settings);
   static std::vector<Appearance> appearances(const SceneSettings& settings);
   void addCamera(const Parallel& parallel);
   void addLights();

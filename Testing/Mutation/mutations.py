@@ -63,6 +63,13 @@ ATTRIBUTE = "Filters/Base/AttributeSpan.h"
 SPANS = "Filters/SpansFromVTK.cxx"
 INPUTS = "Rendering/InputSurfaces.cxx"
 PASS_ARRAYS = "Rendering/PassArrays.cxx"
+TRANSFORM = "Rendering/Core/Scene/Transform.h"
+COFACTORS = "Rendering/Core/Scene/Transform.cxx"
+DRAWN = "Rendering/Core/Scene/DrawnTriangles.cxx"
+BLOCKS = "Rendering/InputBlocks.cxx"
+SURFACE_FROM_VTK = "Rendering/SurfaceFromVTK.cxx"
+OUTPUT_IMAGE = "Rendering/OutputImage.cxx"
+SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -399,4 +406,37 @@ MUTATIONS = [
     (SCENE_MESH, "block.last == block.first ? block.replacement : block.last", "block.last",
      "blocks of surfaces with one appearance"),
     (SCENE_MESH, "part.firstPoint += block.points;", "", "points are counted over all surfaces"),
+    # Transforms, ghosts and blocks.
+    (TRANSFORM, "((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3]",
+     "(m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3])", "transformed points are summed in order"),
+    (COFACTORS, "this->Rows[i][k] = a - b;", "this->Rows[i][k] = a + b;", "normals stay perpendicular"),
+    (COFACTORS, "cofactor = this->IsMirror ? -cofactor : cofactor;", "",
+     "normals stay on their side of a mirrored surface"),
+    (COFACTORS, "std::ldexp(transform.rows[i][k], -exponent)", "transform.rows[i][k]",
+     "normals do not depend on the scale"),
+    (COFACTORS, "> 0x1p-48 * terms", "> 0.0", "a determinant of rounding errors is 0"),
+    (DRAWN, "flags & (GhostFlags::hiddenCell | GhostFlags::refinedCell)",
+     "flags & GhostFlags::hiddenCell", "refined cells are not drawn"),
+    (DRAWN, "? CellUse::ForNormals", "? CellUse::None", "duplicate cells contribute to normals"),
+    (DRAWN, "skip[face] || uses[cell] == CellUse::None", "skip[face]",
+     "hidden cells do not contribute to normals"),
+    (DRAWN, "isHidden(cells.connectivity[k]) ? CellUse::None : uses[cell]", "uses[cell]",
+     "cells with a hidden point are not drawn"),
+    (DRAWN, "this->AreMirrored ? 2 : 1", "1", "mirrored faces keep their front"),
+    (SURFACE_FROM_VTK, "values, std::negate<>()", "values, [](float v) { return v; }",
+     "computed normals of a mirrored mesh point outward"),
+    (SURFACE_FROM_VTK, "numbers = this->DrawnNumbers.span();", "",
+     "drawn corners keep their normals"),
+    (SURFACE_FROM_VTK, "this->Result.cells = this->Drawn.cells().data();", "",
+     "drawn triangles keep their cells"),
+    (BLOCKS, "const vtkIdType block = this->Next++;", "const vtkIdType block = ++this->Next;",
+     "the root's flat index is 0"),
+    (BLOCKS, "state.isVisible = this->Attributes->GetBlockVisibility(object);",
+     "state.isVisible &= this->Attributes->GetBlockVisibility(object);",
+     "a visible block in a hidden one is drawn"),
+    (BLOCKS, "this->Parents.pop_back();", "", "a block may occur twice"),
+    (OUTPUT_IMAGE, "input[k] = place.connection;", "input[k] = place.block;",
+     "the input of a block is its connection"),
+    (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
+     "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
 ]
