@@ -6,7 +6,7 @@ SceneList allScenes()
 {
   SceneList all;
   for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
-         lightScenes(), surfaceScenes(), crowdScenes(), hostileScenes() })
+         lightScenes(), surfaceScenes(), inputScenes(), crowdScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

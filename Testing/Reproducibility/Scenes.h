@@ -29,6 +29,7 @@ SceneList filmScenes();
 SceneList passScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
+SceneList inputScenes();
 SceneList crowdScenes();
 SceneList hostileScenes();
 

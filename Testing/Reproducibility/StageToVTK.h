@@ -15,10 +15,13 @@ class vtkCamera;
 class vtkDataArray;
 class vtkImageData;
 class vtkLight;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProperty;
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
+/// nullptr for the identity.
+vtkSmartPointer<vtkMatrix4x4> toMatrix(const lambent::Transform& transform);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
