@@ -20,8 +20,8 @@ namespace lambent::adapters
 {
 namespace
 {
-/// The children of any tree, which its class protects. VTK's iterators cannot be used: they look
-/// into all first children at once, and would never end if a block contains itself.
+/// The children of any tree, which are protected in VTK 9.1. VTK's iterators cannot be used: they
+/// look into all first children at once, and would never end if a block contains itself.
 class Children : public vtkDataObjectTree
 {
 public:
