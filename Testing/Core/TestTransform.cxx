@@ -146,6 +146,29 @@ TEST(Transform, SingularOnesAreFound)
   }
 }
 
+// Only rounding makes the determinants of these products differ from 0.
+TEST(Transform, SingularOnesAreFoundThroughRounding)
+{
+  RandomNumbers random(7);
+  int notZero = 0;
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    Transform t;
+    const Vec3 a = random.inBox(0.25) + 0.75, b = random.inBox(0.25) + 0.75;
+    const Vec3 c = random.inBox(0.25) + 0.75, d = random.inBox(0.25) + 0.75;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        t.rows[i][k] = a[i] * b[k] + c[i] * d[k];
+      }
+    }
+    EXPECT_EQ(defectOf(t), TransformDefect::Singular);
+    notZero += determinant(t) != 0.0L;
+  }
+  EXPECT_GT(notZero, 900);
+}
+
 TEST(Transform, WhatIsNotFiniteIsFound)
 {
   for (const double value : { std::numeric_limits<double>::infinity(),
