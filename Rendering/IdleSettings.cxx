@@ -5,6 +5,7 @@
 #include "AppearanceFromVTK.h"
 #include "BackgroundFromVTK.h"
 #include "CameraFromVTK.h"
+#include "InputName.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
 
@@ -14,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -55,12 +57,10 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "SetTexture() has no effect. Call SetColor() and RemoveAllTextures().");
 }
 
-/// Names the inputs in a few words, no matter how many there are.
-std::string nameInputs(const std::vector<std::size_t>& inputs)
+/// Names several things in a few words, given the name of the first.
+std::string nameSeveral(const std::string& first, std::size_t count)
 {
-  const std::size_t others = inputs.size() - 1;
-  return "Input " + std::to_string(inputs.front()) +
-    (others > 0 ? " and " + std::to_string(others) + " more" : "");
+  return first + (count > 1 ? " and " + std::to_string(count - 1) + " more" : "");
 }
 
 /// Checks each property once, even if several inputs share it.
@@ -68,31 +68,77 @@ void addProperties(Messages& messages, const SceneSettings& settings)
 {
   vtkProperty* const common = settings.property;
   bool isCommonUsed = false;
-  std::vector<std::pair<vtkProperty*, std::vector<std::size_t>>>
-    users; // ordered by the first input that uses each
+  // The connections that use each, ordered by the first of them.
+  std::vector<std::pair<vtkProperty*, std::vector<int>>> users;
   std::unordered_map<vtkProperty*, std::size_t> placeOf;
-  for (std::size_t k = 0; k < settings.inputs.size(); ++k)
+  for (const SceneSettings::Input& input : settings.inputs)
   {
-    vtkProperty* const own = settings.inputs[k].property;
+    vtkProperty* const own = input.property;
     isCommonUsed = isCommonUsed || !own || own == common;
     if (own && own != common)
     {
       const auto [place, isNew] = placeOf.emplace(own, users.size());
       if (isNew)
       {
-        users.emplace_back(own, std::vector<std::size_t>());
+        users.emplace_back(own, std::vector<int>());
       }
-      users[place->second].second.push_back(k);
+      std::vector<int>& connections = users[place->second].second;
+      if (connections.empty() || connections.back() != input.connection) // once for all its blocks
+      {
+        connections.push_back(input.connection);
+      }
     }
   }
-  for (const auto& [property, inputs] : users)
+  for (const auto& [property, connections] : users)
   {
-    addProperty(messages, nameInputs(inputs) + ":", property);
+    const std::string first = nameOfInput(connections.front(), -1, "");
+    addProperty(messages, nameSeveral(first, connections.size()) + ":", property);
   }
   if (isCommonUsed && common)
   {
     addProperty(messages, "The property of all inputs:", common);
   }
+}
+
+void addBlocks(Messages& messages, const SceneSettings& settings)
+{
+  std::string first;
+  std::size_t count = 0;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    if (input.opacity && *input.opacity != 1.0 && count++ == 0)
+    {
+      first = nameOf(input);
+    }
+  }
+  if (count > 0)
+  {
+    messages.push_back(nameSeveral(first, count) +
+      ": vtkCompositeDataDisplayAttributes::SetBlockOpacity() has no effect; every surface is "
+      "opaque. Set it back to 1, or call SetBlockVisibility() to hide the block.");
+  }
+}
+
+/// Names all leaves that cannot be drawn, or, if there are many, the first ones.
+void addUndrawableBlocks(Messages& messages, const std::vector<std::string>& blocks)
+{
+  constexpr std::size_t mostNamed = 20;
+  if (blocks.empty())
+  {
+    return;
+  }
+  std::string list;
+  for (std::size_t k = 0; k < std::min(mostNamed, blocks.size()); ++k)
+  {
+    list += (k > 0 ? "; " : "") + blocks[k];
+  }
+  if (blocks.size() > mostNamed)
+  {
+    list += "; and " + std::to_string(blocks.size() - mostNamed) + " more";
+  }
+  messages.push_back("Only vtkPolyData can be rendered; this is left out: " + list +
+    ". Connect the input through vtkCompositeDataGeometryFilter, or each block through "
+    "vtkDataSetSurfaceFilter, which extract surfaces.");
 }
 
 /// Why no normals are computed, and the remedy. Empty if some are computed, or if no input has
@@ -147,28 +193,27 @@ bool isAnySet(const InputColors& colors)
 
 void addColors(Messages& messages, const SceneSettings& settings)
 {
-  std::vector<std::size_t> unused, without;
-  for (std::size_t k = 0; k < settings.inputs.size(); ++k)
+  std::vector<std::string> unused, without; // names of inputs
+  for (const SceneSettings::Input& input : settings.inputs)
   {
-    const SceneSettings::Input& input = settings.inputs[k];
     if (!input.colors.scalarVisibility && isAnySet(input.colors))
     {
-      unused.push_back(k);
+      unused.push_back(nameOf(input));
     }
     if (input.colors.scalarVisibility && input.colors.arrayName.empty() &&
       !input.mesh->GetPointData()->GetScalars() && !input.mesh->GetCellData()->GetScalars())
     {
-      without.push_back(k);
+      without.push_back(nameOf(input));
     }
   }
   if (!unused.empty())
   {
-    messages.push_back(nameInputs(unused) +
+    messages.push_back(nameSeveral(unused.front(), unused.size()) +
       ": the settings of its colours have no effect. Call SetInputScalarVisibility() with true.");
   }
   if (!without.empty())
   {
-    messages.push_back(nameInputs(without) +
+    messages.push_back(nameSeveral(without.front(), without.size()) +
       ": SetInputScalarVisibility() has no effect, since there are no active scalars. Call "
       "SetInputColorArray() with the name of an array.");
   }
@@ -235,6 +280,8 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
   }
   addProperties(messages, settings);
   addColors(messages, settings);
+  addBlocks(messages, settings);
+  addUndrawableBlocks(messages, settings.undrawableBlocks);
   addNormalSettings(messages, settings);
   addLights(messages, settings);
   addBackground(messages, settings);

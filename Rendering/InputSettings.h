@@ -15,6 +15,8 @@
 #include "InputColors.h"
 #include "SceneSettings.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
 
@@ -26,9 +28,12 @@ class vtkAlgorithm;
 
 namespace lambent::adapters
 {
+/// The settings of a connection. Null means that one is not set.
 struct InputSetting
 {
-  vtkSmartPointer<vtkProperty> Property; ///< null: use the common property of all inputs
+  vtkSmartPointer<vtkProperty> Property;
+  vtkSmartPointer<vtkMatrix4x4> Transform;
+  vtkSmartPointer<vtkCompositeDataDisplayAttributes> BlockAttributes;
   InputColors Colors;
   SphereSettings Spheres;
 };

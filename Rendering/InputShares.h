@@ -9,6 +9,7 @@
 
 #include "Chunks.h"
 #include "Parallel.h"
+#include "SceneSettings.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
@@ -43,14 +44,14 @@ private:
 class InputShares
 {
 public:
-  InputShares(const std::vector<vtkPolyData*>& inputs, const Parallel& whole)
+  InputShares(const std::vector<SceneSettings::Input>& inputs, const Parallel& whole)
     : Whole(whole)
     , Small(whole)
   {
     std::size_t before = 0;
-    for (vtkPolyData* input : inputs)
+    for (const SceneSettings::Input& input : inputs)
     {
-      before += costOfAny + corners(input->GetPolys()) / 3 + corners(input->GetStrips());
+      before += costOfAny + corners(input.mesh->GetPolys()) / 3 + corners(input.mesh->GetStrips());
       this->Ends.push_back(before);
     }
   }

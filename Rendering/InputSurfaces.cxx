@@ -3,6 +3,7 @@
 #include "InputSurfaces.h"
 
 #include "Chunks.h"
+#include "InputName.h"
 #include "InputShares.h"
 #include "PassArrays.h"
 
@@ -11,17 +12,16 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 namespace lambent::adapters
 {
 namespace
 {
-/// Calls body(). If it throws, puts the number of the input before the message, whose first letter
+/// Calls body(). If it throws, puts the name of the input before the message, whose first letter
 /// becomes lower case.
 template <typename Body>
-void forInput(std::size_t input, Body&& body)
+void forInput(const SceneSettings::Input& input, Body&& body)
 {
   try
   {
@@ -29,30 +29,24 @@ void forInput(std::size_t input, Body&& body)
   }
   catch (const std::runtime_error& failure)
   {
-    std::string message = failure.what();
-    if (!message.empty())
-    {
-      message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
-    }
-    throw std::runtime_error("Input " + std::to_string(input) + ": " + message);
+    throw std::runtime_error(nameOf(input) + ": " + withinSentence(failure.what()));
   }
 }
 }
 
-InputSurfaces::InputSurfaces(const std::vector<vtkPolyData*>& inputs,
-  const std::vector<Appearance>& appearances, const std::vector<SphereSettings>& spheres,
-  const Parallel& parallel)
+InputSurfaces::InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
+  const std::vector<Appearance>& appearances, const Parallel& parallel)
   : Inputs(inputs)
 {
   InputShares shares(inputs, parallel);
   std::size_t primitives = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
-    forInput(k,
+    forInput(inputs[k],
       [&]()
       {
         this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], spheres[k], shares.next()));
+          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
         this->FirstPrimitives.push_back(primitives);
         primitives += this->Surfaces[k]->surface().primitiveCount();
         if (primitives >= noPrimitive)
@@ -70,7 +64,7 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
   for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
-    vtkDataArray* const own = this->Inputs[k]->GetPointData()->GetNormals();
+    vtkDataArray* const own = this->Inputs[k].mesh->GetPointData()->GetNormals();
     if (surface.surface().appearance.shading != Shading::Smooth ||
       surface.surface().triangleCount() == 0)
     {
@@ -78,7 +72,13 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
     }
     if (useOwn && own)
     {
-      forInput(k, [&]() { surface.setPointNormals(own); });
+      const bool isSmall = static_cast<std::size_t>(own->GetNumberOfTuples()) < trianglesOfSmall;
+      const Unwatched unwatched(parallel);
+      const Share watched(parallel, 0.0, 0.0); // normals are only copied, if at all
+      forInput(this->Inputs[k],
+        [&]() {
+          surface.setPointNormals(own, isSmall ? static_cast<const Parallel&>(unwatched) : watched);
+        });
       continue;
     }
     (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
@@ -89,7 +89,8 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
   for (std::size_t k = 0; k < large.size(); ++k)
   {
     const Share share(parallel, (k + 1) / count, (k + 2) / count);
-    forInput(large[k], [&]() { this->Surfaces[large[k]]->computeNormals(featureAngle, share); });
+    forInput(this->Inputs[large[k]],
+      [&]() { this->Surfaces[large[k]]->computeNormals(featureAngle, share); });
   }
 }
 
@@ -106,7 +107,7 @@ void InputSurfaces::computeSmallNormals(
       {
         try
         {
-          forInput(inputs[k],
+          forInput(this->Inputs[inputs[k]],
             [&]() { this->Surfaces[inputs[k]]->computeNormals(featureAngle, Parallel()); });
         }
         catch (const std::runtime_error& failure)
@@ -125,7 +126,7 @@ void InputSurfaces::computeSmallNormals(
 
 void InputSurfaces::addColors(std::size_t k, const InputColors& settings)
 {
-  forInput(k, [&]() { this->Surfaces[k]->addColors(settings); });
+  forInput(this->Inputs[k], [&]() { this->Surfaces[k]->addColors(settings); });
 }
 
 void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& arrays)
@@ -135,7 +136,7 @@ void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& a
     std::size_t first = this->Surfaces.size(); // input that has it
     for (std::size_t k = 0; k < this->Surfaces.size(); ++k)
     {
-      forInput(k, [&]() { this->Surfaces[k]->addAttribute(arrays[attribute]); });
+      forInput(this->Inputs[k], [&]() { this->Surfaces[k]->addAttribute(arrays[attribute]); });
       const auto components = [&](std::size_t input)
       { return this->Surfaces[input]->surface().attributes[attribute].components; };
       if (!this->Surfaces[k]->surface().attributes[attribute])
@@ -145,9 +146,9 @@ void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& a
       first = std::min(first, k);
       if (components(k) != components(first))
       {
-        throw std::runtime_error("Input " + std::to_string(k) + ": the " +
-          describe(arrays[attribute]) + " has " + std::to_string(components(k)) +
-          " components, but that of input " + std::to_string(first) + " has " +
+        throw std::runtime_error(nameOf(this->Inputs[k]) + ": the " + describe(arrays[attribute]) +
+          " has " + std::to_string(components(k)) + " components, but that of " +
+          withinSentence(nameOf(this->Inputs[first])) + " has " +
           std::to_string(components(first)) +
           ". Give them the same number, or rename one of them.");
       }
@@ -192,14 +193,14 @@ InputSurfaces::Place InputSurfaces::find(std::size_t primitive) const
   const auto after =
     std::upper_bound(this->FirstPrimitives.begin(), this->FirstPrimitives.end(), primitive);
   const auto input = static_cast<std::size_t>(after - this->FirstPrimitives.begin()) - 1;
-  return { input,
-    this->Surfaces[input]->surface().cellOf(primitive - this->FirstPrimitives[input]) };
+  return { input, this->Surfaces[input]->surface().cellOf(primitive - this->FirstPrimitives[input]),
+    this->Inputs[input].connection, this->Inputs[input].block };
 }
 
 std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.wrongCorner);
-  return "Input " + std::to_string(place.input) + ": " +
+  return nameOf(this->Inputs[place.input]) + ": " +
     this->Surfaces[place.input]->describeWrongCell(place.cell);
 }
 
@@ -212,12 +213,13 @@ std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
       (defects.notFinite == 1 ? " sphere or cell has a point that is"
                               : " spheres or cells have a point that is") +
       " not finite and cannot be rendered; the first is the sphere at point " +
-      std::to_string(place.cell) + " of input " + std::to_string(place.input) +
+      std::to_string(place.cell) + " of " + withinSentence(nameOf(this->Inputs[place.input])) +
       ". Remove such points or correct them.";
   }
   return std::to_string(defects.notFinite) +
     (defects.notFinite == 1 ? " cell has a point that is" : " cells have a point that is") +
-    " not finite and cannot be rendered; the first is cell " + std::to_string(place.cell) +
-    " of input " + std::to_string(place.input) + ". Remove such cells or correct their points.";
+    " not finite and cannot be rendered; the first is cell " + std::to_string(place.cell) + " of " +
+    withinSentence(nameOf(this->Inputs[place.input])) +
+    ". Remove such cells or correct their points.";
 }
 }

@@ -19,10 +19,11 @@ namespace lambent::adapters
 class InputSurfaces
 {
 public:
-  /// Surface k shows inputs[k] with appearances[k], its cells or, after spheres[k], its points.
-  /// This and the other functions throw std::runtime_error with a message that names the input.
-  InputSurfaces(const std::vector<vtkPolyData*>& inputs, const std::vector<Appearance>& appearances,
-    const std::vector<SphereSettings>& spheres, const Parallel& parallel);
+  /// Surface k shows inputs[k] with appearances[k]: its cells, or spheres at its points. The inputs
+  /// must outlive this object. This and the other functions throw std::runtime_error with a message
+  /// that names the input.
+  InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
+    const std::vector<Appearance>& appearances, const Parallel& parallel);
 
   /// Gives normals to the surfaces with smooth shading: the input's own if it has some and useOwn
   /// is true, otherwise computed ones.
@@ -44,11 +45,13 @@ public:
   };
   ArrayForm formOf(std::size_t attribute) const;
 
-  /// The input and the cell that a primitive belongs to; primitives are counted over all inputs.
+  /// The input and its cell that a primitive belongs to; primitives are counted over all inputs.
   struct Place
   {
     std::size_t input;
     std::int64_t cell;
+    int connection;
+    vtkIdType block;
   };
   Place find(std::size_t primitive) const;
 
@@ -63,7 +66,7 @@ private:
   void computeSmallNormals(
     const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel);
 
-  std::vector<vtkPolyData*> Inputs;
+  const std::vector<SceneSettings::Input>& Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
   std::vector<std::size_t> FirstPrimitives; ///< of each input, counted over all inputs
   bool HasComputedNormals = false;

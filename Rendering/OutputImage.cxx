@@ -70,6 +70,7 @@ double bytesPerPixel(const OutputSettings& settings, const std::vector<NamedPass
   const int colorSize = vtkDataArray::GetDataTypeSize(settings.scalarType);
   double bytes = (settings.alpha ? 4.0 : 3.0) * colorSize;
   bytes += settings.ids ? 2.0 * sizeof(vtkIdType) + sizeof(std::uint32_t) : 0.0;
+  bytes += settings.blockIds ? sizeof(vtkIdType) : 0.0;
   for (const NamedPass& pass : passes)
   {
     bytes += static_cast<double>(pass.pass.components) * (pass.pass.isDouble ? 8 : 4);
@@ -127,24 +128,30 @@ Image allocateImage(const OutputSettings& settings, const InputSurfaces& surface
   return image;
 }
 
-void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces,
+void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces, bool hasBlockIds,
   const WatchedParallel& parallel, vtkImageData* output)
 {
   const vtkIdType pixels = output->GetNumberOfPoints();
   const auto cells = makeArray(VTK_ID_TYPE, "CellIds", 1, pixels);
   const auto inputs = makeArray(VTK_ID_TYPE, "InputIds", 1, pixels);
+  const auto blocks = makeArray(VTK_ID_TYPE, "BlockIds", 1, hasBlockIds ? pixels : 0);
   auto* const cell = static_cast<vtkIdType*>(cells->GetVoidPointer(0));
   auto* const input = static_cast<vtkIdType*>(inputs->GetVoidPointer(0));
+  auto* const block = static_cast<vtkIdType*>(blocks->GetVoidPointer(0));
   const auto addTo = [&](vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType k = begin; k < end; ++k)
     {
-      cell[k] = input[k] = -1;
+      InputSurfaces::Place place{ 0, -1, -1, -1 };
       if (primitives[k] != noPrimitive)
       {
-        const InputSurfaces::Place place = surfaces.find(primitives[k]);
-        cell[k] = static_cast<vtkIdType>(place.cell);
-        input[k] = static_cast<vtkIdType>(place.input);
+        place = surfaces.find(primitives[k]);
+      }
+      cell[k] = static_cast<vtkIdType>(place.cell);
+      input[k] = place.connection;
+      if (hasBlockIds)
+      {
+        block[k] = place.block;
       }
     }
   };
@@ -156,5 +163,9 @@ void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces,
   }
   output->GetPointData()->AddArray(cells);
   output->GetPointData()->AddArray(inputs);
+  if (hasBlockIds)
+  {
+    output->GetPointData()->AddArray(blocks);
+  }
 }
 }

@@ -28,6 +28,7 @@ struct OutputSettings
   int samples = 1;
   bool alpha = false;
   bool ids = false;
+  bool blockIds = false;             ///< also the ids of blocks
   std::vector<PassContent> contents; ///< of passTable
   std::vector<SceneSettings::PassArray> passArrays;
 };
@@ -37,9 +38,9 @@ struct OutputSettings
 Image allocateImage(const OutputSettings& settings, const InputSurfaces& surfaces,
   vtkInformation* outInfo, vtkImageData* output);
 
-/// Adds the point arrays "CellIds" and "InputIds" to the output, given the number of the primitive
-/// that each pixel shows. Throws Aborted if the filter should stop.
-void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces,
+/// Adds the point arrays "CellIds", "InputIds" and perhaps "BlockIds" to the output, given the
+/// number of the primitive that each pixel shows. Throws Aborted if the filter should stop.
+void addIds(const std::uint32_t* primitives, const InputSurfaces& surfaces, bool hasBlockIds,
   const WatchedParallel& parallel, vtkImageData* output);
 }
 

@@ -28,7 +28,7 @@ vtkDataSetAttributes* attributes(vtkPolyData* input, int association)
 /// Returns the first error in the names or associations with its remedy, or an empty string.
 std::string describeDefect(const std::vector<SceneSettings::PassArray>& arrays)
 {
-  std::set<std::string> taken{ "Color", "CellIds", "InputIds" };
+  std::set<std::string> taken{ "Color", "CellIds", "InputIds", "BlockIds" };
   for (const PassEntry& entry : passTable)
   {
     taken.insert(entry.name);

@@ -8,6 +8,7 @@
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
 #include "Chunks.h"
+#include "InputName.h"
 #include "LightFromVTK.h"
 #include "PassArrays.h"
 
@@ -27,24 +28,13 @@ constexpr double boundsShare = 1.0 - SceneFromSettings::normalsShare;
 
 SceneFromSettings::SceneFromSettings(const SceneSettings& settings, const Parallel& parallel)
   : Settings(settings)
-  , Surfaces(meshes(settings), appearances(settings), spheres(settings),
-      Share(parallel, 0.0, surfacesShare))
+  , Surfaces(settings.inputs, appearances(settings), Share(parallel, 0.0, surfacesShare))
 {
   this->addCamera(Share(parallel, surfacesShare, boundsShare));
   this->addLights();
   this->addBackground();
   checkNames(settings.passArrays);
   this->addSurfaces(Share(parallel, boundsShare, 1.0));
-}
-
-std::vector<vtkPolyData*> SceneFromSettings::meshes(const SceneSettings& settings)
-{
-  std::vector<vtkPolyData*> result;
-  for (const SceneSettings::Input& input : settings.inputs)
-  {
-    result.push_back(input.mesh);
-  }
-  return result;
 }
 
 std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& settings)
@@ -56,19 +46,18 @@ std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& sett
     const std::string defect = describeDefect(result.back());
     if (!defect.empty())
     {
-      throw std::runtime_error(
-        "Input " + std::to_string(result.size() - 1) + ": its vtkProperty " + defect);
+      throw std::runtime_error(nameOf(input) + ": its vtkProperty " + defect);
     }
-  }
-  return result;
-}
-
-std::vector<SphereSettings> SceneFromSettings::spheres(const SceneSettings& settings)
-{
-  std::vector<SphereSettings> result;
-  for (const SceneSettings::Input& input : settings.inputs)
-  {
-    result.push_back(input.spheres);
+    if (input.color)
+    {
+      result.back().diffuseColor = result.back().ambientColor = *input.color;
+      if (!isFinite(*input.color))
+      {
+        throw std::runtime_error(nameOf(input) +
+          ": its colour has a channel that is not a finite number. Call "
+          "vtkCompositeDataDisplayAttributes::SetBlockColor() with finite ones.");
+      }
+    }
   }
   return result;
 }
@@ -145,7 +134,10 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
     this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
   for (std::size_t k = 0; k < this->Settings.inputs.size(); ++k)
   {
-    this->Surfaces.addColors(k, this->Settings.inputs[k].colors);
+    if (!this->Settings.inputs[k].color) // a block's own colour comes first
+    {
+      this->Surfaces.addColors(k, this->Settings.inputs[k].colors);
+    }
   }
   this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();

@@ -27,9 +27,7 @@ public:
   const InputSurfaces& surfaces() const { return this->Surfaces; }
 
 private:
-  static std::vector<vtkPolyData*> meshes(const SceneSettings& settings);
   static std::vector<Appearance> appearances(const SceneSettings& settings);
-  static std::vector<SphereSettings> spheres(const SceneSettings& settings);
   void addCamera(const Parallel& parallel);
   void addLights();
   void addBackground();

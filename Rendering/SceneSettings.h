@@ -13,7 +13,11 @@
 
 #include "InputColors.h"
 #include "Scene.h"
+#include "Transform.h"
 
+#include "vtkType.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,14 +40,23 @@ struct SphereSettings
 
 struct SceneSettings
 {
+  /// A mesh: an input connection's, or a block of it. Ordered by connection, then by block.
   struct Input
   {
     vtkPolyData* mesh = nullptr;
     vtkProperty* property = nullptr; ///< none: that of all inputs
     InputColors colors;
     SphereSettings spheres;
+    int connection = 0;
+    vtkIdType block = -1;          ///< flat index; -1: the input is not composite
+    std::string blockName;         ///< may be empty
+    std::optional<Vec3> color;     ///< of the block, instead of the property's colours
+    std::optional<double> opacity; ///< of the block
+    Transform transform;
   };
   std::vector<Input> inputs;
+  bool hasCompositeInput = false;
+  std::vector<std::string> undrawableBlocks; ///< what each is, for a warning
 
   vtkCamera* camera = nullptr;     ///< none: a new one, reset to the bounds of the inputs
   std::vector<vtkLight*> lights;   ///< none: a headlight

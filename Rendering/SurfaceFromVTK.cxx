@@ -5,6 +5,7 @@
 #include "CellSizes.h"
 #include "CheckedFaces.h"
 #include "Chunks.h"
+#include "GhostsFromVTK.h"
 #include "MissingPoint.h"
 #include "PassArrays.h"
 #include "SpheresFromVTK.h"
@@ -17,6 +18,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -33,53 +36,74 @@ std::string describe(vtkDataArray* array)
 }
 }
 
-SurfaceFromVTK::SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance,
-  const SphereSettings& spheres, const Parallel& parallel)
-  : Input(polyData)
+SurfaceFromVTK::SurfaceFromVTK(
+  const SceneSettings::Input& input, const Appearance& appearance, const Parallel& parallel)
+  : Input(input.mesh)
+  , Placement(input.transform)
+  , PlacementOfNormals(input.transform)
 {
+  const double pointsShare = input.transform.isIdentity() ? 0.0 : 0.2;
+  const double trianglesShare = 0.9;
   this->Result.appearance = appearance;
-  this->setPoints();
-  if (spheres.areOn())
+  this->setPoints(Share(parallel, 0.0, pointsShare));
+  if (input.spheres.areOn())
   {
-    setSpheres(spheres, polyData, this->Spans, this->Result);
+    setSpheres(input.spheres, input.mesh, this->Spans, this->Result);
     return;
   }
-  this->setCells(parallel);
-  vtkDataArray* cellNormals = polyData->GetCellData()->GetNormals();
+  this->setCells(Share(parallel, pointsShare, trianglesShare));
+  this->chooseTriangles(Share(parallel, trianglesShare, 1.0));
+  vtkDataArray* cellNormals = input.mesh->GetCellData()->GetNormals();
   if (cellNormals && appearance.shading == Shading::Flat)
   {
-    this->Result.cellNormals = this->normals(cellNormals, polyData->GetNumberOfCells(), "cell");
+    this->Result.cellNormals =
+      this->normals(cellNormals, input.mesh->GetNumberOfCells(), "cell", Share(parallel, 1.0, 1.0));
   }
 }
 
-void SurfaceFromVTK::setPointNormals(vtkDataArray* normals)
+void SurfaceFromVTK::setPointNormals(vtkDataArray* normals, const Parallel& parallel)
 {
-  this->Result.pointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point");
+  this->Result.pointNormals =
+    this->normals(normals, this->Input->GetNumberOfPoints(), "point", parallel);
 }
 
 void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& parallel)
 {
-  const CheckedFaces checked = checkFaces(this->Result.points, this->Polygons, this->Strips,
+  CheckedFaces checked = checkFaces(this->Result.points, this->Polygons, this->Strips,
     Share(parallel, 0.0, 0.2), std::move(this->Merged));
   if (checked.defect)
   {
     throw std::runtime_error(this->describeWrongCell(
       this->firstPolygon() + static_cast<std::int64_t>(checked.defect.cell)));
   }
+  skipUnused(this->Uses, checked);
   this->Normals = computeCornerNormals(checked.faces, featureAngle, Share(parallel, 0.2, 0.95));
-  this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
-  if (!this->Normals.numbers)
+  if (this->PlacementOfNormals.isMirror())
   {
-    return;
+    float* const values = this->Normals.normals.get();
+    std::transform(values, values + 3 * this->Normals.count, values, std::negate<>());
   }
-  const IndexSpan& corners = this->Result.corners;
-  this->Result.normalNumbers = { this->Normals.numbers.get(), false, corners.size };
+  this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
+  if (this->Normals.numbers)
+  {
+    this->setNormalNumbers(checked.faces.cells, Share(parallel, 0.95, 1.0));
+  }
+}
+
+void SurfaceFromVTK::setNormalNumbers(const CellSpan& faces, const Parallel& parallel)
+{
+  IndexSpan numbers{ this->Normals.numbers.get(), false, this->AllCorners.size };
   if (!this->Triangles.corners.empty())
   {
-    this->NormalNumbers =
-      numbersOfTriangles(checked.faces.cells, this->Normals, corners, Share(parallel, 0.95, 1.0));
-    this->Result.normalNumbers.data = this->NormalNumbers.data();
+    this->NormalNumbers = numbersOfTriangles(faces, this->Normals, this->AllCorners, parallel);
+    numbers.data = this->NormalNumbers.data();
   }
+  if (!this->Drawn.areUnchanged())
+  {
+    this->DrawnNumbers = this->Drawn.pick(numbers, parallel);
+    numbers = this->DrawnNumbers.span();
+  }
+  this->Result.normalNumbers = numbers;
 }
 
 void SurfaceFromVTK::addColors(const InputColors& settings)
@@ -115,7 +139,8 @@ void SurfaceFromVTK::addAttribute(const SceneSettings::PassArray& wanted)
   this->Result.attributes.push_back(this->Spans.attribute(array, isPerCell));
 }
 
-TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, const char* kind)
+TupleSpan SurfaceFromVTK::normals(
+  vtkDataArray* normals, vtkIdType expected, const char* kind, const Parallel& parallel)
 {
   if (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != expected)
   {
@@ -127,10 +152,17 @@ TupleSpan SurfaceFromVTK::normals(vtkDataArray* normals, vtkIdType expected, con
             "instance with vtkLambentNormals.";
     throw std::runtime_error(text.str());
   }
-  return this->Spans.tuples(normals);
+  const TupleSpan given = this->Spans.tuples(normals);
+  if (this->Placement.isIdentity() || !given)
+  {
+    return given;
+  }
+  this->GivenNormals.resize(3 * given.size);
+  transformNormals(this->PlacementOfNormals, given, parallel, this->GivenNormals.data());
+  return { this->GivenNormals.data(), true, given.size };
 }
 
-void SurfaceFromVTK::setPoints()
+void SurfaceFromVTK::setPoints(const Parallel& parallel)
 {
   vtkPoints* points = this->Input->GetPoints();
   if (!points || points->GetNumberOfPoints() == 0)
@@ -143,6 +175,12 @@ void SurfaceFromVTK::setPoints()
       std::to_string(points->GetData()->GetNumberOfComponents()) + " components, not 3.");
   }
   this->Result.points = this->Spans.tuples(points->GetData());
+  if (!this->Placement.isIdentity())
+  {
+    this->Points.resize(3 * this->Result.points.size);
+    transformPoints(this->Placement, this->Result.points, parallel, this->Points.data());
+    this->Result.points = { this->Points.data(), true, this->Result.points.size };
+  }
 }
 
 void SurfaceFromVTK::setCells(const Parallel& parallel)
@@ -181,6 +219,26 @@ void SurfaceFromVTK::setCells(const Parallel& parallel)
     : triangulate(this->Polygons, this->Result.points, this->firstPolygon(), rest);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
+}
+
+void SurfaceFromVTK::chooseTriangles(const Parallel& parallel)
+{
+  this->AllCorners = this->Result.corners;
+  const GhostFlags ghosts = ghostsFromVTK(this->Input);
+  this->Uses = findCellUses(
+    this->Polygons, this->Strips, this->Result.points.size, ghosts, Share(parallel, 0.0, 0.4));
+  this->Drawn = DrawnTriangles(this->AllCorners.size / 3, this->Result.cells, this->firstPolygon(),
+    this->Uses, this->PlacementOfNormals.isMirror(), Share(parallel, 0.4, 0.7));
+  if (this->Drawn.areUnchanged())
+  {
+    return;
+  }
+  this->DrawnCorners = this->Drawn.pick(this->AllCorners, Share(parallel, 0.7, 1.0));
+  this->Result.corners = this->DrawnCorners.span();
+  if (!this->Uses.empty())
+  {
+    this->Result.cells = this->Drawn.cells().data();
+  }
 }
 
 std::int64_t SurfaceFromVTK::firstPolygon() const

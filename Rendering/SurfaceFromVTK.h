@@ -5,20 +5,22 @@
  * @brief polydata as a surface of the core's scene
  *
  * Points and normals of float or double, and triangles, are used in place. Other number types and
- * memory layouts are converted, and polygons and strips divided into triangles, in memory that the
- * SurfaceFromVTK owns. Computed normals use the same spans, so nothing is converted or merged
- * twice.
+ * memory layouts are converted, points and normals transformed, polygons and strips divided into
+ * triangles, and triangles of ghost cells left out, in memory that the SurfaceFromVTK owns.
+ * Computed normals use the same spans, so nothing is converted or merged twice.
  */
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
 
 #include "ColorsFromVTK.h"
 #include "CornerNormals.h"
+#include "DrawnTriangles.h"
 #include "MergedFaces.h"
 #include "Parallel.h"
 #include "Scene.h"
 #include "SceneSettings.h"
 #include "SpansFromVTK.h"
+#include "Transform.h"
 #include "Triangulation.h"
 
 #include <memory>
@@ -35,13 +37,13 @@ class SurfaceFromVTK
 public:
   /// The polydata must outlive this object. This and the other functions throw std::runtime_error
   /// with a message for the user.
-  SurfaceFromVTK(vtkPolyData* polyData, const Appearance& appearance, const SphereSettings& spheres,
-    const Parallel& parallel);
+  SurfaceFromVTK(
+    const SceneSettings::Input& input, const Appearance& appearance, const Parallel& parallel);
 
   const Surface& surface() const { return this->Result; }
 
   /// Sets the normals for smooth shading, one for each point. They must outlive this object.
-  void setPointNormals(vtkDataArray* normals);
+  void setPointNormals(vtkDataArray* normals, const Parallel& parallel);
   /// Computes normals, one for each corner (CornerNormals.h).
   void computeNormals(double featureAngle, const Parallel& parallel);
 
@@ -55,16 +57,27 @@ public:
   std::string describeWrongCell(std::int64_t cell) const;
 
 private:
-  void setPoints();
+  void setPoints(const Parallel& parallel);
   void setCells(const Parallel& parallel);
+  void chooseTriangles(const Parallel& parallel);
+  void setNormalNumbers(const CellSpan& faces, const Parallel& parallel);
   std::int64_t firstPolygon() const;
-  TupleSpan normals(vtkDataArray* normals, vtkIdType expected, const char* kind);
+  /// Normals of "point" or "cell" kind, transformed.
+  TupleSpan normals(
+    vtkDataArray* normals, vtkIdType expected, const char* kind, const Parallel& parallel);
 
   vtkPolyData* Input;
+  const Transform Placement;
+  const Cofactors PlacementOfNormals;
+  UnwrittenVector<double> Points, GivenNormals; ///< transformed
   CellSpan Polygons, Strips;
   MergedFaces Merged; ///< polygons and strips, until normals are computed; empty without strips
   Surface Result;
   TriangleList Triangles;
+  IndexSpan AllCorners; ///< of all triangles, with the winding that they have in the input
+  UnwrittenVector<CellUse> Uses;
+  DrawnTriangles Drawn;
+  DrawnTriangles::Indices DrawnCorners, DrawnNumbers;
   CornerNormals Normals;                       ///< if they are computed
   UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;

@@ -270,8 +270,9 @@ void vtkLambentAlgorithm::MakePicture(
     : sceneShare * (1.0 - SceneFromSettings::normalsShare);
   parallel.checkAbort();
   this->SetProgressText("rendering");
-  lambent::Image image =
-    allocateImage(this->DescribeOutput(), description.surfaces(), outInfo, output);
+  OutputSettings outputSettings = this->DescribeOutput();
+  outputSettings.blockIds = outputSettings.ids && settings.hasCompositeInput;
+  lambent::Image image = allocateImage(outputSettings, description.surfaces(), outInfo, output);
   std::unique_ptr<std::uint32_t[]> primitives;
   if (this->GenerateIds)
   {
@@ -300,7 +301,7 @@ void vtkLambentAlgorithm::MakePicture(
   }
   if (this->GenerateIds)
   {
-    addIds(primitives.get(), description.surfaces(), parallel, output);
+    addIds(primitives.get(), description.surfaces(), outputSettings.blockIds, parallel, output);
   }
 }
 

@@ -29,7 +29,8 @@
  * "Positions"   | double, 3                      | NaN                  | GeneratePositions
  * "CellIds"     | vtkIdType                      | -1                   | GenerateIds
  * "InputIds"    | vtkIdType                      | -1                   | GenerateIds
- * the array's   | float or double                | NaN                  | AddPassArray()
+ * "BlockIds"    | vtkIdType                      | -1                   | GenerateIds, composite
+ * input the array's   | float or double                | NaN                  | AddPassArray()
  *
  * All but "Color" show what one sample of the pixel sees, the middle one, whatever the light and
  * the colours are. So the picture is also a probe of the geometry, one ray per pixel.
@@ -220,10 +221,13 @@ public:
 
   ///@{
   /**
-   * Add the point arrays "CellIds", the cell of the input mesh, and "InputIds", the connection of
-   * port 0 that the mesh belongs to, counted from 0. Of several cells at the same depth it is the
-   * one of the smallest input, then of the smallest id. A sphere has the number of its point as
-   * "CellIds". Needs 20 bytes per pixel. Default: off.
+   * Add the point arrays "CellIds", the cell of the mesh, and "InputIds", the connection of
+   * port 0 that the mesh belongs to, counted from 0. If any input is composite, add "BlockIds",
+   * too: the flat index of the mesh in its input, as vtkDataObjectTreeIterator counts; -1 at inputs
+   * that are not composite. Of several cells at the same depth it is the one of the smallest input,
+   * then of the smallest block, then of the smallest id. A sphere has the number of its
+   * point as "CellIds". Needs 20 bytes per pixel, or 28 with
+   * blocks. Default: off.
    */
   vtkSetMacro(GenerateIds, vtkTypeBool);
   vtkGetMacro(GenerateIds, vtkTypeBool);

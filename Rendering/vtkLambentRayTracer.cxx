@@ -6,27 +6,28 @@
 #include "Bounds.h"
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
+#include "InputBlocks.h"
 #include "InputSettings.h"
 #include "InputSurfaces.h"
 #include "SMPParallel.h"
 #include "SceneSettings.h"
+#include "TransformFromVTK.h"
 
 #include "vtkCamera.h"
 #include "vtkCollectionRange.h"
-#include "vtkCompositeDataSet.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <exception>
-#include <stdexcept>
 #include <string>
 
 using namespace lambent::adapters;
@@ -35,23 +36,20 @@ struct vtkLambentRayTracer::Internals
 {
   vtkNew<vtkLightCollection> Lights;
   InputSettings Inputs;
-};
 
-namespace
-{
-/// The input of a connection. Throws if it is composite; the executive refuses other types.
-vtkPolyData* polyDataOf(vtkDataObject* input, int connection)
-{
-  if (vtkCompositeDataSet::SafeDownCast(input))
+  /// Adds the meshes of a connection to the scene.
+  void addInput(vtkDataObject* data, int connection, SceneSettings& scene) const
   {
-    throw std::runtime_error("Input " + std::to_string(connection) + " is a " +
-      input->GetClassName() +
-      ", but vtkPolyData is required. Connect it through "
-      "vtkCompositeDataGeometryFilter, which appends the surfaces of its blocks.");
+    const InputSetting& setting = this->Inputs.of(connection);
+    SceneSettings::Input input;
+    input.property = setting.Property;
+    input.connection = connection;
+    input.transform = transformFromVTK(setting.Transform, connection);
+    input.colors = setting.Colors;
+    input.spheres = setting.Spheres;
+    addBlocks(input, data, setting.BlockAttributes, scene);
   }
-  return vtkPolyData::SafeDownCast(input);
-}
-}
+};
 
 vtkStandardNewMacro(vtkLambentRayTracer);
 vtkCxxSetObjectMacro(vtkLambentRayTracer, Camera, vtkCamera);
@@ -80,23 +78,17 @@ void vtkLambentRayTracer::ResetCamera()
 {
   try
   {
-    std::vector<vtkPolyData*> inputs;
-    std::vector<lambent::Appearance> appearances;
-    std::vector<SphereSettings> spheres;
+    SceneSettings scene;
     for (int connection = 0; connection < this->GetNumberOfInputConnections(0); ++connection)
     {
       int port = 0;
       vtkAlgorithm* producer = this->GetInputAlgorithm(0, connection, port);
       producer->Update(port);
-      if (auto* input = polyDataOf(producer->GetOutputDataObject(port), connection))
-      {
-        inputs.push_back(input);
-        appearances.push_back(appearanceFromVTK(nullptr));
-        spheres.push_back(this->Internal->Inputs.of(connection).Spheres);
-      }
+      this->Internal->addInput(producer->GetOutputDataObject(port), connection, scene);
     }
     const SMPParallel parallel;
-    const InputSurfaces surfaces(inputs, appearances, spheres, parallel);
+    const std::vector<lambent::Appearance> appearances(scene.inputs.size());
+    const InputSurfaces surfaces(scene.inputs, appearances, parallel);
     vtkSmartPointer<vtkCamera> camera = this->Camera;
     if (!camera)
     {
@@ -166,6 +158,29 @@ void vtkLambentRayTracer::SetInputProperty(int connection, vtkProperty* property
 vtkProperty* vtkLambentRayTracer::GetInputProperty(int connection)
 {
   return this->Internal->Inputs.of(connection).Property;
+}
+
+void vtkLambentRayTracer::SetInputTransform(int connection, vtkMatrix4x4* matrix)
+{
+  this->ChangeInput(connection, "SetInputTransform",
+    [matrix](InputSetting& setting) { setting.Transform = matrix; });
+}
+
+vtkMatrix4x4* vtkLambentRayTracer::GetInputTransform(int connection)
+{
+  return this->Internal->Inputs.of(connection).Transform;
+}
+
+void vtkLambentRayTracer::SetInputBlockAttributes(
+  int connection, vtkCompositeDataDisplayAttributes* attributes)
+{
+  this->ChangeInput(connection, "SetInputBlockAttributes",
+    [attributes](InputSetting& setting) { setting.BlockAttributes = attributes; });
+}
+
+vtkCompositeDataDisplayAttributes* vtkLambentRayTracer::GetInputBlockAttributes(int connection)
+{
+  return this->Internal->Inputs.of(connection).BlockAttributes;
 }
 
 //------------------------------------------------------------------------------
@@ -319,6 +334,8 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
   {
     cover(own.second.Property);
     cover(own.second.Colors.lookupTable);
+    cover(own.second.Transform);
+    cover(own.second.BlockAttributes);
   }
   cover(this->Internal->Lights);
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -334,7 +351,6 @@ int vtkLambentRayTracer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   // Otherwise the executive would make a composite data set of pictures, one per block.
-  // DescribeScene() refuses it.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
@@ -360,9 +376,7 @@ void vtkLambentRayTracer::DescribeScene(vtkInformationVector** inputs, SceneSett
 {
   for (int k = 0; k < inputs[0]->GetNumberOfInformationObjects(); ++k)
   {
-    const InputSetting& setting = this->Internal->Inputs.of(k);
-    scene.inputs.push_back({ polyDataOf(vtkDataObject::GetData(inputs[0], k), k), setting.Property,
-      setting.Colors, setting.Spheres });
+    this->Internal->addInput(vtkDataObject::GetData(inputs[0], k), k, scene);
   }
   scene.camera = this->Camera;
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))
@@ -429,6 +443,14 @@ void vtkLambentRayTracer::PrintSelf(ostream& os, vtkIndent indent)
       os << indent << "InputSphereRadius " << number << ": " << own.second.Spheres.radius << "\n";
       os << indent << "InputSphereRadiusArray " << number << ": "
          << (array.empty() ? "(none)" : array) << "\n";
+    }
+    if (own.second.Transform)
+    {
+      printObject("InputTransform " + number, own.second.Transform);
+    }
+    if (own.second.BlockAttributes)
+    {
+      printObject("InputBlockAttributes " + number, own.second.BlockAttributes);
     }
   }
   printSwitch("UsePointNormals", this->UsePointNormals);

@@ -30,25 +30,40 @@
  *
  * No tree is built, and nothing is kept from one image to the next.
  *
- * Inputs: port 0 takes any number of connections, each a vtkPolyData. Together they form
- * one scene. Composite data must pass through vtkCompositeDataGeometryFilter first. Polygons
- * with any number of points and triangle strips are rendered, or spheres at the points
- * (SetInputSphereRadius()); vertices and lines are not.
+ * Inputs: port 0 takes any number of connections, each a vtkPolyData or composite data
+ * (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, nested). Together
+ * they form one scene. Polygons with any number of points and triangle strips are rendered, or
+ * spheres at the points (SetInputSphereRadius()); vertices and lines are not.
  * Smooth shading uses an input's point normals (vtkPointData::GetNormals(), 3 components),
  * flat shading its cell normals (vtkCellData::GetNormals()). Normals may have any numeric
  * type; all but float and double are converted to double. Smooth inputs without point
  * normals get computed ones that keep sharp edges sharp (Splitting, FeatureAngle). Inputs
  * are never modified.
  *
+ * Composite data: each vtkPolyData block is a surface of its own, in the order of the flat index;
+ * normals are not smoothed from block to block. Where faces coincide, the smallest (input, block,
+ * cell) is seen. Empty blocks are left out, and so are blocks of other classes, with one warning.
+ * SetInputBlockAttributes() hides and colours blocks; the picture's array "BlockIds" has the
+ * blocks' flat indices (GenerateIds).
+ *
+ * Ghosts: cells that the array vtkGhostType marks DUPLICATECELL, HIDDENCELL or REFINEDCELL, and
+ * cells with a point marked HIDDENPOINT, are neither drawn nor framed by ResetCamera(). These are
+ * the ones that VTK's surface filters leave out: vtkGeometryFilter (of VTK 9.3 and newer) the
+ * marked cells, also of vtkPolyData; vtkGeometryFilter and vtkDataSetSurfaceFilter the faces of
+ * grids with a hidden point. VTK's OpenGL mapper ignores the array and draws all cells of a
+ * vtkPolyData. Duplicate cells still contribute to computed normals, so that pieces join without
+ * seams; the others do not. Cell ids are those of the input.
+ *
  * See vtkLambentAlgorithm for the output and for image size, background and the other
  * settings that do not depend on where the scene comes from.
  *
- * Bad input: errors are a composite input, a polygon or strip that uses a point that does
- * not exist, normals or radii of the wrong length, radii that are negative or not finite, an
- * image size below 1 or too large for the memory, a view angle outside (0, 180) degrees, a view-up
- * parallel to the view direction, and settings that are not finite. They name the cause and the
- * remedy, and the output is empty. Cells and spheres with points that are not finite are skipped,
- * with one warning. Without any triangles or spheres the image shows the background.
+ * Bad input: errors are a block that contains itself, a polygon or strip that uses a point
+ * that does not exist, normals, radii, colours or ghost arrays of the wrong length, radii that are
+ * negative or not finite, a transform that cannot be used (SetInputTransform()), an image size
+ * below 1 or too large for the memory, a view angle outside (0, 180) degrees, a view-up parallel to
+ * the view direction, and settings that are not finite. They name the cause and the remedy, and the
+ * output is empty. Cells and spheres with points that are not finite are skipped, with one warning.
+ * Without any triangles or spheres the image shows the background.
  *
  * @warning
  * Not all settings of VTK's objects have an effect. The image depends on vtkCamera's
@@ -84,8 +99,10 @@
 #include <memory> // For the list of per-connection properties
 
 class vtkCamera;
+class vtkCompositeDataDisplayAttributes;
 class vtkLight;
 class vtkLightCollection;
+class vtkMatrix4x4;
 class vtkProperty;
 class vtkScalarsToColors;
 
@@ -158,6 +175,46 @@ public:
    */
   virtual void SetInputProperty(int connection, vtkProperty* property);
   vtkProperty* GetInputProperty(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * An affine transform of one input connection, as vtkActor's matrix. It is shared with the
+   * caller, and follows its connection as the property does. Points are transformed in double
+   * precision, normals by the inverse transpose; positions and depths are those of the transformed
+   * surface. Normals are computed after the transform. The front of a face stays its front, also if
+   * the matrix mirrors (its determinant is negative). A matrix that is singular, not finite, or
+   * whose last row is not 0 0 0 1 is an error. Default: none (nullptr), the identity, which costs
+   * nothing.
+   *
+   * @note vtkActor with VTK's OpenGL mapper transforms points and normals in the same way, but in
+   * float, and does not treat mirrors in any special way: OpenGL takes the side that appears
+   * counter-clockwise for the front. So a mirrored mesh is turned inside out: culling removes the
+   * other side, and given normals are turned away from the viewer, which makes the outside dark.
+   * That is not copied.
+   */
+  virtual void SetInputTransform(int connection, vtkMatrix4x4* matrix);
+  vtkMatrix4x4* GetInputTransform(int connection);
+  ///@}
+
+  ///@{
+  /**
+   * The visibility and colours of the blocks of one composite input connection. They are shared
+   * with the caller, and follow their connection as the property does. As in
+   * vtkCompositePolyDataMapper2, they are looked up by the block's data object, and apply to all
+   * blocks below it that do not have their own: hiding a block hides its subtree, except for blocks
+   * that are set visible. A colour replaces the property's diffuse and ambient colours, and those
+   * of an array; the coefficients stay. Opacity has no effect and causes a warning, like that of
+   * vtkProperty; other attributes are ignored. Colours that are not finite are an error. They also
+   * apply to an input that is a single vtkPolyData. Default: none (nullptr); all blocks are visible
+   * and look as the property says.
+   *
+   * @note RemoveBlockColor() and some other Remove...() methods of VTK's class do not change its
+   * modification time. Call Modified() after them.
+   */
+  virtual void SetInputBlockAttributes(
+    int connection, vtkCompositeDataDisplayAttributes* attributes);
+  vtkCompositeDataDisplayAttributes* GetInputBlockAttributes(int connection);
   ///@}
 
   ///@{
@@ -238,13 +295,13 @@ public:
   ///@{
   /**
    * Draw a sphere of this radius, in world units, at each point of one input, used by cells or
-   * not. The input's polygons and strips are then not drawn. These are true spheres: their
-   * outlines are round at any size. Their normals are those of the sphere, even with flat
-   * shading; their front is the outside. "CellIds" has the number of a sphere's point.
-   * AddPassArray() gives point arrays the value of that point, cell arrays NaN. Points that
-   * are not finite are skipped, with one warning. A radius that is negative or not finite is an
-   * error of Update(); a negative connection is an error. Like the property of
-   * SetInputProperty(), it stays with its connection. Default: 0, no spheres.
+   * not. A transform moves the points and does not change the radius. The input's polygons and
+   * strips are then not drawn. These are true spheres: their outlines are round at any size. Their
+   * normals are those of the sphere, even with flat shading; their front is the outside. "CellIds"
+   * has the number of a sphere's point. AddPassArray() gives point arrays the value of that point,
+   * cell arrays NaN. Points that are not finite are skipped, with one warning. A radius that is
+   * negative or not finite is an error of Update(); a negative connection is an error. Like the
+   * property of SetInputProperty(), it stays with its connection. Default: 0, no spheres.
    */
   virtual void SetInputSphereRadius(int connection, double radius);
   double GetInputSphereRadius(int connection);
@@ -314,7 +371,8 @@ public:
 
   /**
    * The latest modification time of this filter, the camera, the lights (with their
-   * transform matrices), the properties and the lookup tables.
+   * transform matrices), the properties, the transforms, the block attributes and the lookup
+   * tables.
    */
   vtkMTimeType GetMTime() override;
 

@@ -15,6 +15,7 @@
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -163,10 +164,10 @@ private:
   {
     FuzzInput& input = this->Input;
     const int kind = input.byte();
-    constexpr int firstOfFilm = 252;
-    if (kind >= firstOfFilm)
+    constexpr int firstOfFilm = 252, firstOfTransforms = 246;
+    if (kind >= firstOfTransforms)
     {
-      this->setFilm(input.byte());
+      kind >= firstOfFilm ? this->setFilm(input.byte()) : this->changeTransform();
       return;
     }
     switch (kind % 7)
@@ -194,6 +195,19 @@ private:
         this->Tracer->SetGradientBackground(input.flag());
         this->Tracer->SetBackground2(input.number(), input.within(0.0, 1.0), 0.0);
     }
+  }
+
+  void changeTransform()
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    const int count = this->Input.choice(13);
+    for (int k = 0; k < count; ++k)
+    {
+      matrix->SetElement(
+        k / 4, k % 4, this->Input.seldom(4) ? this->Input.number() : this->Input.within(-2.0, 2.0));
+    }
+    this->Tracer->SetInputTransform(
+      this->Input.choice(mostInputs), count == 0 ? nullptr : matrix.Get());
   }
 
   void changeImageSize()

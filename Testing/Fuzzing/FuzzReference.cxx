@@ -6,6 +6,7 @@
 
 #include "Render.h"
 #include "SceneFromSettings.h"
+#include "TransformFromVTK.h"
 #include "Vec3FromVTK.h"
 
 #include "vtkCollectionRange.h"
@@ -29,7 +30,12 @@ lambent::adapters::SceneSettings settingsOf(const FuzzSubject& subject)
   lambent::adapters::SceneSettings result;
   for (int k = 0; k < static_cast<int>(subject.meshes.size()); ++k)
   {
-    result.inputs.push_back({ subject.meshes[k], tracer->GetInputProperty(k) });
+    lambent::adapters::SceneSettings::Input input;
+    input.mesh = subject.meshes[k];
+    input.property = tracer->GetInputProperty(k);
+    input.connection = k;
+    input.transform = lambent::adapters::transformFromVTK(tracer->GetInputTransform(k), k);
+    result.inputs.push_back(input);
   }
   result.camera = tracer->GetCamera();
   for (vtkLight* light : vtk::Range(tracer->GetLights()))

@@ -78,6 +78,13 @@ SPHERE_POINTS = "Rendering/Core/SurfacePoints/SpherePoints.cxx"
 LOADING_SPHERES = "Rendering/Core/SurfacePoints/LoadSpheres.cxx"
 VECTOR_SPHERE_POINTS = "Rendering/Core/SurfacePoints/VectorSpherePoints.h"
 SPHERES_FROM_VTK = "Rendering/SpheresFromVTK.cxx"
+TRANSFORM = "Rendering/Core/Scene/Transform.h"
+COFACTORS = "Rendering/Core/Scene/Transform.cxx"
+DRAWN = "Rendering/Core/Scene/DrawnTriangles.cxx"
+BLOCKS = "Rendering/InputBlocks.cxx"
+SURFACE_FROM_VTK = "Rendering/SurfaceFromVTK.cxx"
+OUTPUT_IMAGE = "Rendering/OutputImage.cxx"
+SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -483,4 +490,37 @@ MUTATIONS = [
     (SURFACE, "body(this->points[sphere] - Vec3(size));", "", "bounds include radii"),
     (SPHERES_FROM_VTK, "settings.radius > 0.0 ? settings.radius : 1.0", "settings.radius",
      "an array alone gives the radii"),
+    # Transforms, ghosts and blocks.
+    (TRANSFORM, "((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3]",
+     "(m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3])", "transformed points are summed in order"),
+    (COFACTORS, "this->Rows[i][k] = a - b;", "this->Rows[i][k] = a + b;", "normals stay perpendicular"),
+    (COFACTORS, "cofactor = this->IsMirror ? -cofactor : cofactor;", "",
+     "normals stay on their side of a mirrored surface"),
+    (COFACTORS, "std::ldexp(transform.rows[i][k], -exponent)", "transform.rows[i][k]",
+     "normals do not depend on the scale"),
+    (COFACTORS, "> 0x1p-48 * terms", "> 0.0", "a determinant of rounding errors is 0"),
+    (DRAWN, "flags & (GhostFlags::hiddenCell | GhostFlags::refinedCell)",
+     "flags & GhostFlags::hiddenCell", "refined cells are not drawn"),
+    (DRAWN, "? CellUse::ForNormals", "? CellUse::None", "duplicate cells contribute to normals"),
+    (DRAWN, "skip[face] || uses[cell] == CellUse::None", "skip[face]",
+     "hidden cells do not contribute to normals"),
+    (DRAWN, "isHidden(cells.connectivity[k]) ? CellUse::None : uses[cell]", "uses[cell]",
+     "cells with a hidden point are not drawn"),
+    (DRAWN, "this->AreMirrored ? 2 : 1", "1", "mirrored faces keep their front"),
+    (SURFACE_FROM_VTK, "values, std::negate<>()", "values, [](float v) { return v; }",
+     "computed normals of a mirrored mesh point outward"),
+    (SURFACE_FROM_VTK, "numbers = this->DrawnNumbers.span();", "",
+     "drawn corners keep their normals"),
+    (SURFACE_FROM_VTK, "this->Result.cells = this->Drawn.cells().data();", "",
+     "drawn triangles keep their cells"),
+    (BLOCKS, "const vtkIdType block = this->Next++;", "const vtkIdType block = ++this->Next;",
+     "the root's flat index is 0"),
+    (BLOCKS, "state.isVisible = this->Attributes->GetBlockVisibility(object);",
+     "state.isVisible &= this->Attributes->GetBlockVisibility(object);",
+     "a visible block in a hidden one is drawn"),
+    (BLOCKS, "this->Parents.pop_back();", "", "a block may occur twice"),
+    (OUTPUT_IMAGE, "input[k] = place.connection;", "input[k] = place.block;",
+     "the input of a block is its connection"),
+    (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
+     "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
 ]

@@ -6,9 +6,11 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet)
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkCamera
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkCompositeDataDisplayAttributes
 
 from lambent import vtkLambentRayTracer
 
@@ -56,6 +58,39 @@ class TestPasses(unittest.TestCase):
         self.expect("Positions", [X, Y, 0 * one], np.float64)
         self.expect("CellIds", [0 * one], np.int64, -1)
         self.expect("InputIds", [0 * one], np.int64, -1)
+
+    def test_blocks_of_composite_data_have_ids_and_attributes(self):
+        inner, blocks = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+        inner.SetBlock(1, self.mesh)
+        blocks.SetBlock(2, inner)
+        self.tracer.SetInputDataObject(blocks)
+        self.tracer.GenerateIdsOn()
+        one = np.ones((8, 8))
+        self.expect("BlockIds", [5 * one], np.int64, -1)
+        self.expect("InputIds", [0 * one], np.int64, -1)
+        attributes = vtkCompositeDataDisplayAttributes()
+        self.tracer.SetInputBlockAttributes(0, attributes)
+        self.assertIs(self.tracer.GetInputBlockAttributes(0), attributes)
+        attributes.SetBlockVisibility(inner, False)
+        np.testing.assert_array_equal(self.array("BlockIds"), -np.ones((8, 8, 1)))
+
+    def test_a_transform_moves_positions(self):
+        matrix = vtkMatrix4x4()
+        matrix.SetElement(2, 3, 1.5)
+        self.tracer.SetInputTransform(0, matrix)
+        self.assertIs(self.tracer.GetInputTransform(0), matrix)
+        self.tracer.GenerateDepthOn()
+        self.tracer.GeneratePositionsOn()
+        one = np.ones((8, 8))
+        self.expect("Positions", [X, Y, 1.5 * one], np.float64)
+        self.expect("Depth", [3.5 * one], np.float32)
+
+    def test_ghost_cells_are_not_drawn(self):
+        flags = numpy_to_vtk(np.array([vtkDataSetAttributes.DUPLICATECELL], np.uint8), deep=True)
+        flags.SetName(vtkDataSetAttributes.GhostArrayName())
+        self.mesh.GetCellData().AddArray(flags)
+        self.tracer.GenerateIdsOn()
+        np.testing.assert_array_equal(self.array("CellIds"), -np.ones((8, 8, 1)))
 
     def test_arrays_of_the_mesh_become_passes(self):
         points = vtk_to_numpy(self.mesh.GetPoints().GetData())

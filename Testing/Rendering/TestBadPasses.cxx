@@ -72,7 +72,8 @@ vtkSmartPointer<vtkImageData> makeImage(int depth, int components, int type)
 // This also holds if the picture does not have that array now, or if no input has one of that name.
 TEST(BadPasses, RefusesNamesOfThePicturesOwnArrays)
 {
-  for (const char* name : { "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds" })
+  for (const char* name :
+    { "Color", "Depth", "Normals", "Positions", "CellIds", "InputIds", "BlockIds" })
   {
     for (const int association : { points, cells })
     {

@@ -1,45 +1,40 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Types of data objects and of normals that the port takes or refuses.
+// Types of data objects and of normals that the port takes.
 #include "Meshes.h"
 #include "Messages.h"
 
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOverlappingAMR.h"
 
 // Otherwise the executive would make one picture per block.
-TEST(InputTypes, CompositeDataAreRefused)
+TEST(InputTypes, CompositeDataGiveOnePicture)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, makeSquare());
   blocks->SetBlock(1, makeSphere(6));
-  for (int connection : { 0, 1 })
-  {
-    Studio studio;
-    Messages messages(studio.tracer);
-    studio.tracer->SetInputData(makeSquare());
-    const Picture expected = render(studio.tracer);
-    studio.tracer->RemoveAllInputConnections(0);
-    for (int k = 0; k < connection; ++k)
-    {
-      studio.tracer->AddInputDataObject(makeSquare());
-    }
-    studio.tracer->AddInputDataObject(blocks);
-    studio.tracer->Update();
-    expectMessage(messages.errors(),
-      { "Input " + std::to_string(connection) + " is a vtkMultiBlockDataSet",
-        "vtkPolyData is required", "vtkCompositeDataGeometryFilter" });
-    ASSERT_NE(vtkImageData::SafeDownCast(studio.tracer->GetOutputDataObject(0)), nullptr);
-    EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
-    messages.clear();
-    studio.tracer->ResetCamera();
-    expectMessage(messages.errors(), { "vtkCompositeDataGeometryFilter" });
+  Studio studio;
+  const Messages messages(studio.tracer);
+  studio.tracer->SetInputData(blocks);
+  studio.tracer->Update();
+  ASSERT_NE(vtkImageData::SafeDownCast(studio.tracer->GetOutputDataObject(0)), nullptr);
+  EXPECT_GT(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(messages.errors().empty() && messages.warnings().empty());
+}
 
-    messages.clear();
-    studio.tracer->SetInputData(makeSquare());
-    EXPECT_SAME_BITS(render(studio.tracer), expected);
-    EXPECT_TRUE(messages.errors().empty());
-  }
+// Composite data of no tree, and other data with cells, have no block that could be drawn.
+TEST(InputTypes, AdaptiveMeshesAreLeftOutWithAWarning)
+{
+  vtkNew<vtkOverlappingAMR> meshes;
+  Studio studio;
+  const Messages messages(studio.tracer);
+  studio.tracer->SetInputData(meshes);
+  const Picture picture = render(studio.tracer);
+  EXPECT_EQ(picture.at(16, 12), Studio::background());
+  expectMessage(
+    messages.warnings(), { "input 0, a vtkOverlappingAMR", "vtkCompositeDataGeometryFilter" });
+  EXPECT_TRUE(messages.errors().empty());
 }
 
 TEST(InputTypes, IntegerNormalsAreUsed)

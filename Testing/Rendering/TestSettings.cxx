@@ -3,7 +3,9 @@
 #include "Meshes.h"
 #include "Messages.h"
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
 
 #include <sstream>
 
@@ -112,6 +114,8 @@ TEST(Settings, PrintSelfIsComplete)
   }
   Studio studio;
   studio.tracer->SetInputProperty(3, studio.property);
+  studio.tracer->SetInputTransform(4, vtkNew<vtkMatrix4x4>());
+  studio.tracer->SetInputBlockAttributes(5, vtkNew<vtkCompositeDataDisplayAttributes>());
   studio.tracer->SetAmbientModelToScene();
   studio.tracer->TwoSidedLightingOff();
   studio.tracer->GradientBackgroundOn();
@@ -130,11 +134,12 @@ TEST(Settings, PrintSelfIsComplete)
   studio.tracer->AddPassArray(vtkDataObject::FIELD_ASSOCIATION_CELLS, "Part");
   std::ostringstream other;
   studio.tracer->Print(other);
-  for (const char* part : { "InputProperty 3:", "AmbientModel: Scene", "TwoSidedLighting: Off",
-         "GradientBackground: On", "OutputScalarType: float", "UsePointNormals: Off",
-         "Splitting: Off", "FeatureAngle: 45.5", "ViewAngle: 12.5", "BackgroundImage: vtkImageData",
-         "OutputAlpha: On", "GenerateDepth: On", "GenerateNormals: On", "GeneratePositions: On",
-         "GenerateIds: On", "PassArray: point array \"Heat\"", "PassArray: cell array \"Part\"" })
+  for (const char* part : { "InputProperty 3:", "InputTransform 4:", "InputBlockAttributes 5:",
+         "AmbientModel: Scene", "TwoSidedLighting: Off", "GradientBackground: On",
+         "OutputScalarType: float", "UsePointNormals: Off", "Splitting: Off", "FeatureAngle: 45.5",
+         "ViewAngle: 12.5", "BackgroundImage: vtkImageData", "OutputAlpha: On", "GenerateDepth: On",
+         "GenerateNormals: On", "GeneratePositions: On", "GenerateIds: On",
+         "PassArray: point array \"Heat\"", "PassArray: cell array \"Part\"" })
   {
     EXPECT_NE(other.str().find(part), std::string::npos) << part << " in\n" << other.str();
   }

@@ -7,6 +7,7 @@
 #include "TriangleNormals.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -17,13 +18,23 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   : HasFloats(body.hasFloatPoints)
   , HasNarrowIds(body.has32BitIds)
   , HasStrips(body.hasStrips)
+  , Placement(body.transform)
+  , PlacementOfNormals(body.transform)
 {
-  this->setPoints(body);
-  body.hasSpheres() ? this->setSpheres(body) : this->setCells(body, parallel);
-  this->Result.pointNormals = keep(body.pointNormals, this->PointNormals);
+  this->setPoints(body, parallel);
+  if (body.hasSpheres())
+  {
+    this->setSpheres(body);
+  }
+  else
+  {
+    this->setCells(body, parallel);
+    this->chooseTriangles(body, parallel);
+  }
+  this->Result.pointNormals = this->keepNormals(body.pointNormals, this->PointNormals);
   if (body.appearance.shading == lambent::Shading::Flat)
   {
-    this->Result.cellNormals = keep(body.cellNormals, this->CellNormals);
+    this->Result.cellNormals = this->keepNormals(body.cellNormals, this->CellNormals);
   }
   this->Result.appearance = body.appearance;
   if (!body.colors.array.empty())
@@ -62,14 +73,22 @@ void BodySurface::setColors(const Body& body)
   this->Result.colors = &this->Colors;
 }
 
-void BodySurface::setPoints(const Body& body)
+void BodySurface::setPoints(const Body& body, const lambent::Parallel& parallel)
 {
   for (const Vec3& p : body.shape.points)
   {
     this->Doubles.insert(this->Doubles.end(), { p.x, p.y, p.z });
   }
   this->Floats.assign(this->Doubles.begin(), this->Doubles.end());
-  this->Result.points = this->points();
+  const std::size_t count = body.shape.points.size();
+  this->Result.points = this->HasFloats ? lambent::TupleSpan{ this->Floats.data(), false, count }
+                                        : lambent::TupleSpan{ this->Doubles.data(), true, count };
+  if (!this->Placement.isIdentity())
+  {
+    this->Placed.resize(this->Doubles.size());
+    transformPoints(this->Placement, this->Result.points, parallel, this->Placed.data());
+    this->Result.points = { this->Placed.data(), true, count };
+  }
 }
 
 // As for polydata: a list of triangles is used in place, all other cells are triangulated.
@@ -90,8 +109,8 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
   }
   this->Triangles = this->HasStrips
     ? triangulate(
-        mergeFaces(lambent::CellSpan(), this->cells(), parallel), this->points(), 0, parallel)
-    : triangulate(this->cells(), this->points(), 0, parallel);
+        mergeFaces(lambent::CellSpan(), this->cells(), parallel), this->Result.points, 0, parallel)
+    : triangulate(this->cells(), this->Result.points, 0, parallel);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
 }
@@ -110,11 +129,21 @@ void BodySurface::setSpheres(const Body& body)
   }
 }
 
-lambent::TupleSpan BodySurface::points() const
+void BodySurface::chooseTriangles(const Body& body, const lambent::Parallel& parallel)
 {
-  const std::size_t count = this->Doubles.size() / 3;
-  return this->HasFloats ? lambent::TupleSpan{ this->Floats.data(), false, count }
-                         : lambent::TupleSpan{ this->Doubles.data(), true, count };
+  const auto dataOf = [](const std::vector<unsigned char>& flags)
+  { return flags.empty() ? nullptr : flags.data(); };
+  this->AllCorners = this->Result.corners;
+  this->Uses = findCellUses(this->polygons(), this->strips(), this->Result.points.size,
+    { dataOf(body.pointGhosts), dataOf(body.cellGhosts) }, parallel);
+  this->Drawn = lambent::DrawnTriangles(this->AllCorners.size / 3, this->Result.cells, 0,
+    this->Uses, this->PlacementOfNormals.isMirror(), parallel);
+  if (!this->Drawn.areUnchanged())
+  {
+    this->DrawnCorners = this->Drawn.pick(this->AllCorners, parallel);
+    this->Result.corners = this->DrawnCorners.span();
+    this->Result.cells = this->Uses.empty() ? this->Result.cells : this->Drawn.cells().data();
+  }
 }
 
 lambent::CellSpan BodySurface::cells() const
@@ -126,27 +155,40 @@ lambent::CellSpan BodySurface::cells() const
         { this->Ids64.data(), true, this->Ids64.size() } };
 }
 
-lambent::TupleSpan BodySurface::keep(const std::vector<Vec3>& tuples, std::vector<double>& memory)
+lambent::CellSpan BodySurface::polygons() const
 {
-  for (const Vec3& t : tuples)
+  return this->HasStrips ? lambent::CellSpan() : this->cells();
+}
+
+lambent::CellSpan BodySurface::strips() const
+{
+  return this->HasStrips ? this->cells() : lambent::CellSpan();
+}
+
+lambent::TupleSpan BodySurface::keepNormals(
+  const std::vector<Vec3>& normals, std::vector<double>& memory) const
+{
+  for (const Vec3& given : normals)
   {
-    memory.insert(memory.end(), { t.x, t.y, t.z });
+    const Vec3 n = this->Placement.isIdentity() ? given : this->PlacementOfNormals(given);
+    memory.insert(memory.end(), { n.x, n.y, n.z });
   }
-  return tuples.empty() ? lambent::TupleSpan()
-                        : lambent::TupleSpan{ memory.data(), true, tuples.size() };
+  return normals.empty() ? lambent::TupleSpan()
+                         : lambent::TupleSpan{ memory.data(), true, normals.size() };
 }
 
 lambent::CheckedFaces BodySurface::faces(const lambent::Parallel& parallel) const
 {
-  const lambent::CellSpan none;
-  return checkFaces(this->points(), this->HasStrips ? none : this->cells(),
-    this->HasStrips ? this->cells() : none, parallel);
+  lambent::CheckedFaces result =
+    checkFaces(this->Result.points, this->polygons(), this->strips(), parallel);
+  skipUnused(this->Uses, result);
+  return result;
 }
 
 std::vector<Vec3> BodySurface::pointNormals(
   lambent::Weighting how, const lambent::Parallel& parallel) const
 {
-  std::vector<float> normals(3 * this->points().size);
+  std::vector<float> normals(3 * this->Result.points.size);
   computePointNormals(this->faces(parallel).faces, how, 1.0f, parallel, normals.data());
   std::vector<Vec3> result;
   for (std::size_t k = 0; k < normals.size(); k += 3)
@@ -170,35 +212,60 @@ void BodySurface::addAttribute(const Body& body, const std::string& name, bool i
   this->Result.attributes.push_back(span);
 }
 
+lambent::CornerNormals BodySurface::cornerNormals(
+  const lambent::CheckedFaces& faces, const lambent::Parallel& parallel) const
+{
+  lambent::CornerNormals normals = computeCornerNormals(faces.faces, featureAngle, parallel);
+  for (std::size_t k = 0; this->PlacementOfNormals.isMirror() && k < 3 * normals.count; ++k)
+  {
+    normals.normals[k] = -normals.normals[k];
+  }
+  return normals;
+}
+
 void BodySurface::computeNormals(const lambent::Parallel& parallel)
 {
   const lambent::CheckedFaces checked = this->faces(parallel);
-  this->Normals = computeCornerNormals(checked.faces, featureAngle, parallel);
+  this->Normals = this->cornerNormals(checked, parallel);
   this->Result.pointNormals = { this->Normals.normals.get(), false, this->Normals.count };
   if (this->Normals.numbers)
   {
     this->NormalNumbers =
-      numbersOfTriangles(checked.faces.cells, this->Normals, this->Result.corners, parallel);
+      numbersOfTriangles(checked.faces.cells, this->Normals, this->AllCorners, parallel);
     this->Result.normalNumbers = { this->NormalNumbers.data(), false, this->NormalNumbers.size() };
+    if (!this->Drawn.areUnchanged())
+    {
+      this->DrawnNumbers = this->Drawn.pick(this->Result.normalNumbers, parallel);
+      this->Result.normalNumbers = this->DrawnNumbers.span();
+    }
   }
 }
 
 Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& parallel) const
 {
   const lambent::CheckedFaces checked = this->faces(parallel);
-  const lambent::CornerNormals normals =
-    computeCornerNormals(checked.faces, featureAngle, parallel);
+  const lambent::CornerNormals normals = this->cornerNormals(checked, parallel);
   const lambent::CellSpan& cells = checked.faces.cells;
   Body result = body;
   result.hasStrips = false;
+  result.hasFloatPoints = body.hasFloatPoints && this->Placement.isIdentity();
+  result.transform = lambent::Transform();
   result.shape = Shape();
   result.pointNormals.clear();
+  result.pointGhosts.clear();
+  result.cellGhosts.clear();
   if (!body.arrays.empty())
   {
     throw std::runtime_error("give bodies with arrays point normals, or shade them flat");
   }
   for (std::size_t face = 0; face < lambent::cellCount(cells); ++face)
   {
+    const std::int64_t cell = checked.cellOf(static_cast<std::int64_t>(face));
+    if (!this->Uses.empty() &&
+      this->Uses[static_cast<std::size_t>(cell)] != lambent::CellUse::Drawn)
+    {
+      continue;
+    }
     result.shape.cells.emplace_back();
     for (std::size_t place = cells.offsets[face]; place < cells.offsets[face + 1]; ++place)
     {
@@ -207,8 +274,12 @@ Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& para
         normals.numbers ? static_cast<std::uint64_t>(normals.numbers[place]) : point;
       const float* const n = &normals.normals[3 * normal];
       result.shape.cells.back().push_back(static_cast<std::int64_t>(result.shape.points.size()));
-      result.shape.points.push_back(body.shape.points[point]);
+      result.shape.points.push_back(this->Result.points[point]);
       result.pointNormals.emplace_back(n[0], n[1], n[2]);
+    }
+    if (this->PlacementOfNormals.isMirror())
+    {
+      std::swap(result.shape.cells.back()[1], result.shape.cells.back()[2]);
     }
   }
   return result;

@@ -11,6 +11,7 @@
 
 #include "CheckedFaces.h"
 #include "CornerNormals.h"
+#include "DrawnTriangles.h"
 #include "Parallel.h"
 #include "Triangulation.h"
 
@@ -35,32 +36,44 @@ public:
   /// Sets the normals that vtkLambentRayTracer computes for the body, one per corner.
   void computeNormals(const lambent::Parallel& parallel);
 
-  /// The body with these normals and a separate point for each corner; strips become triangles. Its
-  /// cells can then be shuffled.
+  /// The drawn cells of the body, with these normals and a separate point for each corner, and
+  /// transformed; strips become triangles. They can then be shuffled. If the transform mirrors, the
+  /// faces must be triangles.
   Body withOwnCorners(const Body& body, const lambent::Parallel& parallel) const;
 
 private:
   /// Polygons, and the triangles of strips.
   lambent::CheckedFaces faces(const lambent::Parallel& parallel) const;
-  void setPoints(const Body& body);
+  void setPoints(const Body& body, const lambent::Parallel& parallel);
   void setColors(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
   void setSpheres(const Body& body);
-  lambent::TupleSpan points() const;
+  void chooseTriangles(const Body& body, const lambent::Parallel& parallel);
+  lambent::CellSpan polygons() const;
+  lambent::CellSpan strips() const;
   lambent::CellSpan cells() const;
-  static lambent::TupleSpan keep(const std::vector<Vec3>& tuples, std::vector<double>& memory);
+  lambent::CornerNormals cornerNormals(
+    const lambent::CheckedFaces& faces, const lambent::Parallel& parallel) const;
+  lambent::TupleSpan keepNormals(
+    const std::vector<Vec3>& normals, std::vector<double>& memory) const;
 
   const bool HasFloats;
   const bool HasNarrowIds;
   const bool HasStrips;
+  const lambent::Transform Placement;
+  const lambent::Cofactors PlacementOfNormals;
   std::vector<float> Floats;
-  std::vector<double> Doubles;
+  std::vector<double> Doubles, Placed;
   std::vector<float> FloatRadii;
   std::vector<double> DoubleRadii;
   std::vector<std::int32_t> Offsets32, Ids32;
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;
   lambent::TriangleList Triangles;
+  lambent::IndexSpan AllCorners;
+  lambent::UnwrittenVector<lambent::CellUse> Uses;
+  lambent::DrawnTriangles Drawn;
+  lambent::DrawnTriangles::Indices DrawnCorners, DrawnNumbers;
   lambent::CornerNormals Normals;
   lambent::UnwrittenVector<std::int32_t> NormalNumbers;
   std::vector<std::vector<unsigned char>> Attributes;

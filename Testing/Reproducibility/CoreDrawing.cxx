@@ -115,7 +115,7 @@ Picture draw(const Stage& stage, const Manner& manner)
     ? manner.threads
     : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const ThreadedParallel parallel(threads);
-  const auto surfaces = surfacesOf(stage.bodies, stage.passes, manner.shuffle, parallel);
+  const auto surfaces = surfacesOf(stage.visibleBodies(), stage.passes, manner.shuffle, parallel);
   lambent::Scene scene = stage.scene;
   for (const auto& surface : surfaces)
   {

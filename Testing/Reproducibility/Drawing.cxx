@@ -68,12 +68,17 @@ Body withCells(const Body& body, const std::vector<std::size_t>& cells)
   Body part = body;
   part.shape.cells.clear();
   part.cellNormals.clear();
+  part.cellGhosts.clear();
   for (const std::size_t cell : cells)
   {
     part.shape.cells.push_back(body.shape.cells[cell]);
     if (!body.cellNormals.empty())
     {
       part.cellNormals.push_back(body.cellNormals[cell]);
+    }
+    if (!body.cellGhosts.empty())
+    {
+      part.cellGhosts.push_back(body.cellGhosts[cell]);
     }
   }
   takeTuples(cells, true, part.arrays);

@@ -7,7 +7,7 @@ SceneList allScenes()
   SceneList all;
   for (const SceneList& scenes :
     { viewScenes(), sampleScenes(), filmScenes(), passScenes(), colorScenes(), lightScenes(),
-      surfaceScenes(), crowdScenes(), sphereScenes(), hostileScenes() })
+      surfaceScenes(), inputScenes(), crowdScenes(), sphereScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

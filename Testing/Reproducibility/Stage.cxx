@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -100,6 +101,19 @@ Body& Body::spheres(double factor, const std::vector<double>& sizes)
   return this->spheres(factor);
 }
 
+Body& Body::place(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& offset)
+{
+  this->transform = { { { x.x, x.y, x.z, offset.x }, { y.x, y.y, y.z, offset.y },
+    { z.x, z.y, z.z, offset.z } } };
+  return *this;
+}
+
+Body& Body::inBlock(const std::vector<int>& path)
+{
+  this->block = path;
+  return *this;
+}
+
 Body& Body::pointArray(const std::string& name, int components, lambent::AttributeType type)
 {
   StageArray array{ name, false, components, type, {} };
@@ -138,6 +152,41 @@ Stage::Stage()
 {
   this->look({ 2.0, 1.5, 4.0 }, Vec3(0.0));
   this->scene.background = this->scene.backgroundTop = { 0.0625, 0.125, 0.25 };
+}
+
+bool Stage::isHidden(const Body& body) const
+{
+  return std::any_of(this->hiddenBlocks.begin(), this->hiddenBlocks.end(),
+    [&](const std::vector<int>& hidden)
+    {
+      return hidden.size() <= body.block.size() &&
+        std::equal(hidden.begin(), hidden.end(), body.block.begin());
+    });
+}
+
+std::vector<Body> Stage::visibleBodies() const
+{
+  std::vector<Body> result;
+  const Body* first = nullptr; // of the composite input
+  for (const Body& body : this->bodies)
+  {
+    first = body.block.empty() ? nullptr : first ? first : &body;
+    if (this->isHidden(body))
+    {
+      continue;
+    }
+    result.push_back(body);
+    if (first)
+    {
+      lambent::Appearance& appearance = result.back().appearance;
+      appearance = first->appearance;
+      appearance.diffuseColor = body.blockColor.value_or(appearance.diffuseColor);
+      appearance.ambientColor = body.blockColor.value_or(appearance.ambientColor);
+      result.back().transform = first->transform;
+      result.back().block.clear();
+    }
+  }
+  return result;
 }
 
 Body& Stage::add(const Shape& shape)

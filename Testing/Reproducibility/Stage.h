@@ -15,7 +15,9 @@
 #include "Image.h"
 #include "NormalContribution.h"
 #include "Scene.h"
+#include "Transform.h"
 
+#include <optional>
 #include <string>
 
 /// An array with one tuple per point or cell of a body, or per pixel of an image.
@@ -67,6 +69,13 @@ struct Body
   std::vector<StageArray> arrays; ///< attributes
   StageColors colors;
   lambent::Appearance appearance;
+  lambent::Transform transform;
+  std::vector<unsigned char> pointGhosts, cellGhosts; ///< VTK's flags, or none
+  /// The place in a composite input: the numbers of the children from its root. Consecutive bodies
+  /// with places form one input, in the order of the tree. Appearance and transform are those of
+  /// its first body. Empty: the body is an input of its own.
+  std::vector<int> block;
+  std::optional<Vec3> blockColor;
 
   /// Sets the diffuse colour, which is also the plain one, and the ambient colour.
   Body& paint(const Vec3& diffuse, const Vec3& ambient = Vec3(0.0));
@@ -83,6 +92,9 @@ struct Body
   /// Makes the points spheres of these sizes times a factor.
   Body& spheres(double factor, const std::vector<double>& sizes);
   bool hasSpheres() const { return this->radius > 0.0; }
+  /// Sets the rows of the transform.
+  Body& place(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& offset);
+  Body& inBlock(const std::vector<int>& path);
   /// Adds a point array whose values are computed from the coordinates.
   Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
   /// Takes the colours from an array that is added before or afterwards.
@@ -108,6 +120,8 @@ struct Stage
   StageArray backgroundImage; ///< without values if there is none
   int backgroundWidth = 0, backgroundHeight = 0;
   std::vector<Body> bodies;
+  std::vector<std::vector<int>>
+    hiddenBlocks; ///< places of blocks that are hidden, with all in them
   /// Camera, lights and backgrounds; the surfaces are made from the bodies.
   lambent::Scene scene;
   /// Use the default view direction, with all bodies in view.
@@ -118,6 +132,11 @@ struct Stage
 
   /// Sets the camera at (2, 1.5, 4), looking at the origin.
   Stage();
+
+  /// The bodies as inputs of their own: without the hidden ones, and those of blocks with what they
+  /// have from their input and block.
+  std::vector<Body> visibleBodies() const;
+  bool isHidden(const Body& body) const;
 
   /// The reference is valid until the next call.
   Body& add(const Shape& shape);

@@ -12,11 +12,14 @@
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace
@@ -49,6 +52,38 @@ vtkSmartPointer<vtkCellArray> toCells(const Body& body)
   body.has32BitIds ? cells->ConvertTo32BitStorage() : cells->ConvertTo64BitStorage();
   return cells;
 }
+}
+
+namespace
+{
+void addGhosts(const std::vector<unsigned char>& flags, vtkDataSetAttributes* attributes)
+{
+  if (!flags.empty())
+  {
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(vtkDataSetAttributes::GhostArrayName());
+    array->SetNumberOfTuples(static_cast<vtkIdType>(flags.size()));
+    std::copy(flags.begin(), flags.end(), array->GetPointer(0));
+    attributes->AddArray(array);
+  }
+}
+}
+
+vtkSmartPointer<vtkMatrix4x4> toMatrix(const lambent::Transform& transform)
+{
+  if (transform.isIdentity())
+  {
+    return nullptr;
+  }
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      matrix->SetElement(i, k, transform.rows[i][k]);
+    }
+  }
+  return matrix;
 }
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
@@ -85,6 +120,8 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
     array.isPerCell ? result->GetCellData()->AddArray(toArray(array))
                     : result->GetPointData()->AddArray(toArray(array));
   }
+  addGhosts(body.pointGhosts, result->GetPointData());
+  addGhosts(body.cellGhosts, result->GetCellData());
   return result;
 }
 

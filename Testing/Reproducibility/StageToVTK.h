@@ -16,6 +16,7 @@ class vtkDataArray;
 class vtkImageData;
 class vtkLight;
 class vtkLookupTable;
+class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProperty;
 
@@ -23,6 +24,8 @@ class vtkProperty;
 constexpr const char* radiiName = "Radii";
 
 vtkSmartPointer<vtkPolyData> toPolyData(const Body& body);
+/// nullptr for the identity.
+vtkSmartPointer<vtkMatrix4x4> toMatrix(const lambent::Transform& transform);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);

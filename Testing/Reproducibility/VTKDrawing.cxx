@@ -8,15 +8,19 @@
 #include "../Rendering/Backends.h"
 
 #include "vtkCamera.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace
@@ -44,34 +48,101 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
   return shuffle ? shuffled(bodies, shuffle) : bodies;
 }
 
-void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer)
+void addColors(const StageColors& colors, int input, vtkLambentRayTracer* tracer)
 {
-  const lambent::Scene& scene = stage.scene;
-  int input = 0;
-  for (const Body& body : prepared(stage.bodies, manner.shuffle))
+  if (!colors.array.empty())
   {
-    tracer->AddInputDataObject(toPolyData(body));
-    tracer->SetInputProperty(input, toProperty(body.appearance));
-    const StageColors& colors = body.colors;
-    if (!colors.array.empty())
-    {
-      tracer->SetInputScalarVisibility(input, true);
-      tracer->SetInputColorArray(input,
-        colors.isPerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
-                         : vtkDataObject::FIELD_ASSOCIATION_POINTS,
-        colors.array.c_str());
-      tracer->SetInputColorComponent(input, colors.component);
-      tracer->SetInputLookupTable(input, toTable(colors));
-      tracer->SetInputInterpolateScalarsBeforeMapping(input, colors.isMappedLast);
-    }
-    tracer->SetInputSphereRadius(input, body.radius);
-    tracer->SetInputSphereRadiusArray(input, body.radii.empty() ? nullptr : radiiName);
-    ++input;
+    tracer->SetInputScalarVisibility(input, true);
+    tracer->SetInputColorArray(input,
+      colors.isPerCell ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                       : vtkDataObject::FIELD_ASSOCIATION_POINTS,
+      colors.array.c_str());
+    tracer->SetInputColorComponent(input, colors.component);
+    tracer->SetInputLookupTable(input, toTable(colors));
+    tracer->SetInputInterpolateScalarsBeforeMapping(input, colors.isMappedLast);
   }
-  if (input == 0)
+}
+
+/// The block at a place, which becomes a composite one.
+vtkSmartPointer<vtkMultiBlockDataSet> parentOf(
+  const std::vector<int>& place, vtkMultiBlockDataSet* root)
+{
+  vtkSmartPointer<vtkMultiBlockDataSet> parent = root;
+  for (std::size_t level = 0; level + 1 < place.size(); ++level)
+  {
+    const auto child = static_cast<unsigned int>(place[level]);
+    if (!parent->GetBlock(child))
+    {
+      parent->SetBlock(child, vtkNew<vtkMultiBlockDataSet>());
+    }
+    parent = vtkMultiBlockDataSet::SafeDownCast(parent->GetBlock(child));
+  }
+  return parent;
+}
+
+vtkDataObject* blockAt(const std::vector<int>& place, vtkMultiBlockDataSet* root)
+{
+  return parentOf(place, root)->GetBlock(static_cast<unsigned int>(place.back()));
+}
+
+/// Adds one composite input with all these bodies.
+void addBlocks(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRayTracer* tracer)
+{
+  const int input = tracer->GetNumberOfInputConnections(0);
+  vtkNew<vtkMultiBlockDataSet> root;
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  for (const Body& body : bodies)
+  {
+    const auto mesh = toPolyData(body);
+    parentOf(body.block, root)->SetBlock(static_cast<unsigned int>(body.block.back()), mesh);
+    if (body.blockColor)
+    {
+      attributes->SetBlockColor(mesh, &body.blockColor->x);
+    }
+  }
+  for (const std::vector<int>& hidden : stage.hiddenBlocks)
+  {
+    attributes->SetBlockVisibility(blockAt(hidden, root), false);
+  }
+  tracer->AddInputDataObject(root);
+  tracer->SetInputProperty(input, toProperty(bodies.front().appearance));
+  tracer->SetInputTransform(input, toMatrix(bodies.front().transform));
+  tracer->SetInputBlockAttributes(input, attributes);
+}
+
+void addBodies(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRayTracer* tracer)
+{
+  for (auto body = bodies.begin(); body != bodies.end();)
+  {
+    const auto end =
+      std::find_if(body, bodies.end(), [](const Body& other) { return other.block.empty(); });
+    if (body != end)
+    {
+      addBlocks({ body, end }, stage, tracer);
+      body = end;
+      continue;
+    }
+    const int input = tracer->GetNumberOfInputConnections(0);
+    tracer->AddInputDataObject(toPolyData(*body));
+    tracer->SetInputProperty(input, toProperty(body->appearance));
+    tracer->SetInputTransform(input, toMatrix(body->transform));
+    tracer->SetInputSphereRadius(input, body->radius);
+    tracer->SetInputSphereRadiusArray(input, body->radii.empty() ? nullptr : radiiName);
+    addColors(body->colors, input, tracer);
+    ++body;
+  }
+  if (bodies.empty())
   {
     tracer->SetInputDataObject(vtkNew<vtkPolyData>());
   }
+}
+
+void setUp(const Stage& stage, const Manner& manner, vtkLambentRayTracer* tracer)
+{
+  const lambent::Scene& scene = stage.scene;
+  // Shuffled bodies are inputs of their own.
+  addBodies(
+    prepared(manner.shuffle ? stage.visibleBodies() : stage.bodies, manner.shuffle), stage, tracer);
   for (const lambent::Light& light : scene.lights)
   {
     tracer->AddLight(toLight(light));

@@ -18,7 +18,8 @@
  * - Float and other fast arithmetic may decide only what is proven to come out the same here: which
  *   triangles a ray cannot hit, and which hits are certain (PointLattice.h, Coverage.h,
  *   CastingKernel.h).
- * - Smooth surfaces without normals get those of CornerNormals.h, rounded to float.
+ * - Smooth surfaces without normals get those of CornerNormals.h, rounded to float. The points and
+ *   normals of transformed surfaces are those of Transform.h.
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight Ray/Triangle
  *   Intersection", JCGT 2(1), 2013, with one more condition; see intersect().
  * - The ray-sphere test is that of Hearn and Baker, as Haines et al. give it; see
