@@ -33,6 +33,26 @@ double powerOfTen(double exponent)
 }
 }
 
+FoundColorArray findColorArray(vtkPolyData* input, const InputColors& settings)
+{
+  const bool isOfCells = settings.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (!isOfCells && settings.association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    throw std::runtime_error("the colours have the association " +
+      std::to_string(settings.association) +
+      ". Call SetInputColorArray() with vtkDataObject::FIELD_ASSOCIATION_POINTS (0) or "
+      "FIELD_ASSOCIATION_CELLS (1).");
+  }
+  vtkDataSetAttributes *const ofPoints = input->GetPointData(),
+                              *const ofCells = input->GetCellData();
+  if (!settings.arrayName.empty())
+  {
+    return { (isOfCells ? ofCells : ofPoints)->GetArray(settings.arrayName.c_str()), isOfCells };
+  }
+  const bool hasPointScalars = ofPoints->GetScalars() != nullptr;
+  return { (hasPointScalars ? ofPoints : ofCells)->GetScalars(), !hasPointScalars };
+}
+
 ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, SpansFromVTK& spans)
   : Settings(settings)
 {
@@ -53,29 +73,12 @@ ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, Sp
 void ColorsFromVTK::findArray(vtkPolyData* input, SpansFromVTK& spans)
 {
   const InputColors& settings = this->Settings;
-  bool isOfCells = settings.association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  if (!isOfCells && settings.association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  const FoundColorArray found = findColorArray(input, settings);
+  const bool isOfCells = found.isOfCells;
+  this->Array = found.array;
+  if (!this->Array && settings.arrayName.empty())
   {
-    throw std::runtime_error("the colours have the association " +
-      std::to_string(settings.association) +
-      ". Call SetInputColorArray() with vtkDataObject::FIELD_ASSOCIATION_POINTS (0) or "
-      "FIELD_ASSOCIATION_CELLS (1).");
-  }
-  if (settings.arrayName.empty())
-  {
-    this->Array = input->GetPointData()->GetScalars();
-    isOfCells = !this->Array;
-    this->Array = isOfCells ? input->GetCellData()->GetScalars() : this->Array;
-    if (!this->Array)
-    {
-      return;
-    }
-  }
-  else
-  {
-    vtkDataSetAttributes* const all =
-      isOfCells ? static_cast<vtkDataSetAttributes*>(input->GetCellData()) : input->GetPointData();
-    this->Array = all->GetArray(settings.arrayName.c_str());
+    return;
   }
   const char* const items = isOfCells ? "cell" : "point";
   if (!this->Array)

@@ -25,6 +25,16 @@ class vtkUnsignedCharArray;
 
 namespace lambent::adapters
 {
+struct FoundColorArray
+{
+  vtkDataArray* array = nullptr; ///< or none
+  bool isOfCells = false;
+};
+
+/// The array of the input that the settings choose. Throws std::runtime_error if the association is
+/// neither points nor cells.
+FoundColorArray findColorArray(vtkPolyData* input, const InputColors& settings);
+
 class ColorsFromVTK
 {
 public:

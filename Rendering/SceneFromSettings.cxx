@@ -8,6 +8,7 @@
 #include "CameraFrame.h"
 #include "CameraFromVTK.h"
 #include "Chunks.h"
+#include "ColorsOfInputs.h"
 #include "InputName.h"
 #include "LightFromVTK.h"
 #include "PassArrays.h"
@@ -132,12 +133,10 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
   constexpr double smoothEverywhere = 180.0;
   this->Surfaces.addNormals(this->Settings.usePointNormals,
     this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
-  for (std::size_t k = 0; k < this->Settings.inputs.size(); ++k)
+  this->Colors = colorsOfInputs(this->Settings.inputs);
+  for (std::size_t k = 0; k < this->Colors.size(); ++k)
   {
-    if (!this->Settings.inputs[k].color) // a block's own colour comes first
-    {
-      this->Surfaces.addColors(k, this->Settings.inputs[k].colors);
-    }
+    this->Surfaces.addColors(k, this->Colors[k]);
   }
   this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();

@@ -35,6 +35,7 @@ private:
 
   const SceneSettings& Settings;
   InputSurfaces Surfaces;
+  std::vector<InputColors> Colors; ///< of the inputs
   SpansFromVTK BackgroundSpans;
   Scene Description;
 };

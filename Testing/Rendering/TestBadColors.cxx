@@ -8,6 +8,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 
 namespace
 {
@@ -154,4 +155,42 @@ TEST(BadColors, WithoutEffectAreWarnings)
   const auto without =
     warningsAfter([](Studio& studio) { studio.tracer->SetInputScalarVisibility(0, true); });
   expectMessage(without, { "Input 0", "no active scalars", "SetInputColorArray()" });
+}
+
+TEST(BadColors, BlocksWithoutTheArray)
+{
+  Studio studio;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeSphere(6));
+  studio.tracer->SetInputData(blocks);
+  studio.tracer->SetInputScalarVisibility(0, true);
+  studio.tracer->SetInputColorArray(0, ofPoints, "Heat");
+  Messages messages(studio.tracer);
+  studio.tracer->Update();
+  expectMessage(messages.errors(),
+    { "Input 0", "point array \"Heat\"", "none of its blocks", "SetInputColorArray()" });
+  EXPECT_EQ(studio.tracer->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(BadColors, SpheresWithColoursOfCells)
+{
+  expectError(
+    [](Studio& studio)
+    {
+      auto* const mesh = vtkPolyData::SafeDownCast(studio.tracer->GetInputDataObject(0, 0));
+      vtkNew<vtkFloatArray> array;
+      array->SetName("Part");
+      array->SetNumberOfTuples(mesh->GetNumberOfCells());
+      array->Fill(0.5);
+      mesh->GetCellData()->AddArray(array);
+      studio.tracer->SetInputScalarVisibility(0, true);
+      studio.tracer->SetInputColorArray(0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Part");
+      studio.tracer->SetInputSphereRadius(0, 0.1);
+    },
+    { "Input 0", "cell array", "spheres", "SetInputColorArray()" },
+    [](Studio& studio)
+    {
+      reset(studio);
+      studio.tracer->SetInputSphereRadius(0, 0.0);
+    });
 }

@@ -5,13 +5,15 @@
 #include "ColoredGrid.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDiscretizableColorTransferFunction.h"
 #include "vtkIntArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkShortArray.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <functional>
+#include <array>
 
 namespace
 {
@@ -338,4 +340,108 @@ TEST(Colors, OfSampledFunctionsAreClose)
       }
     }
   }
+}
+
+TEST(Colors, OfSpheresAreThoseOfTheirPoints)
+{
+  for (const auto& [name, table] : tables())
+  {
+    ColoredGrid grid(false);
+    const Array array =
+      numbers(vtkSmartPointer<vtkDoubleArray>::New(), 1, ColoredGrid::points, true);
+    grid.add(array);
+    grid.tracer->SetInputLookupTable(0, table);
+    grid.tracer->SetInputSphereRadius(0, 0.25);
+    for (const bool isMappedLast : { false, true }) // which has no effect without interpolation
+    {
+      grid.tracer->SetInputInterpolateScalarsBeforeMapping(
+        0, isMappedLast && vtkLookupTable::SafeDownCast(table));
+      grid.tracer->Update();
+      expectMapped(grid.tracer->GetOutput(), mapped(table, array, 0), name);
+    }
+  }
+}
+
+namespace
+{
+/// Three squares side by side as blocks. The first two have a number for their cell.
+struct ColoredBlocks
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkProperty> property;
+  vtkNew<vtkLambentRayTracer> tracer;
+
+  ColoredBlocks()
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      vtkNew<vtkPoints> points;
+      for (const auto& corner : { std::pair(0, 0), { 1, 0 }, { 1, 1 }, { 0, 1 } })
+      {
+        points->InsertNextPoint(k + corner.first, corner.second, 0.0);
+      }
+      vtkNew<vtkCellArray> squares;
+      const vtkIdType corners[4] = { 0, 1, 2, 3 };
+      squares->InsertNextCell(4, corners);
+      vtkNew<vtkPolyData> mesh;
+      mesh->SetPoints(points);
+      mesh->SetPolys(squares);
+      vtkNew<vtkDoubleArray> heat;
+      heat->SetName("Heat");
+      heat->InsertNextValue(10.0 * k);
+      if (k < 2)
+      {
+        mesh->GetCellData()->AddArray(heat);
+      }
+      this->blocks->SetBlock(static_cast<unsigned int>(k), mesh);
+    }
+    this->camera->ParallelProjectionOn();
+    this->camera->SetParallelScale(0.5);
+    this->camera->SetFocalPoint(1.5, 0.5, 0.0);
+    this->camera->SetPosition(1.5, 0.5, 1.0);
+    this->property->LightingOff();
+    this->property->SetColor(0.2, 0.4, 0.6);
+    this->tracer->SetImageSize(3, 1);
+    this->tracer->SetCamera(this->camera);
+    this->tracer->SetProperty(this->property);
+    this->tracer->SetInputData(this->blocks);
+    this->tracer->SetInputScalarVisibility(0, true);
+    this->tracer->SetInputColorArray(0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Heat");
+  }
+
+  /// The bytes of a pixel, which shows one block.
+  std::array<int, 3> pixel(int block)
+  {
+    this->tracer->Update();
+    std::array<int, 3> result{};
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      result[channel] = static_cast<int>(
+        this->tracer->GetOutput()->GetScalarComponentAsDouble(block, 0, 0, channel));
+    }
+    return result;
+  }
+};
+}
+
+// The default table goes from red to blue, over the numbers of all blocks. A block without the
+// array has the property's colour.
+TEST(Colors, OfBlocksShareOneRange)
+{
+  ColoredBlocks colored;
+  EXPECT_EQ(colored.pixel(0), (std::array<int, 3>{ 255, 0, 0 }));
+  EXPECT_EQ(colored.pixel(1), (std::array<int, 3>{ 0, 0, 255 }));
+  EXPECT_EQ(colored.pixel(2), (std::array<int, 3>{ 51, 102, 153 }));
+}
+
+TEST(Colors, OfBlocksThemselvesComeFirst)
+{
+  ColoredBlocks colored;
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  const double green[3] = { 0.0, 1.0, 0.0 };
+  attributes->SetBlockColor(colored.blocks->GetBlock(1), green);
+  colored.tracer->SetInputBlockAttributes(0, attributes);
+  EXPECT_EQ(colored.pixel(0), (std::array<int, 3>{ 255, 0, 0 }));
+  EXPECT_EQ(colored.pixel(1), (std::array<int, 3>{ 0, 255, 0 }));
 }

@@ -158,6 +158,24 @@ SceneList colorScenes()
         }
         s.bodies[0].colors.isMappedLast = true;
       } },
+    { "color-spheres",
+      [](Stage& s)
+      {
+        landscape(s);
+        colorBy(s, "Heat", false);
+        map(s, 16, 75.0, 130.0);
+        s.bodies[1].spheres(0.0625);
+        s.bodies[1].colors.isMappedLast = true; // nothing is interpolated
+      } },
+    { "color-transformed",
+      [](Stage& s)
+      {
+        landscape(s);
+        colorBy(s, "Paint", false);
+        s.bodies[1].colorBy("Shade", true);
+        s.bodies[0].place({ -1, 0, 0 }, { 0, 1, 0.25 }, { 0, 0, 1 }, { 0.25, 0, 0 }); // a mirror
+        s.bodies[1].place({ 0.5, 0, 0.5 }, { 0, 1.25, 0 }, { -0.5, 0, 0.5 }, { 0, -0.25, 0.25 });
+      } },
     { "color-points-samples-3-alpha-scene-ambient",
       [](Stage& s)
       {
