@@ -222,7 +222,8 @@ public:
    * Colours from an array of an input, for one connection, as vtkMapper has them in its default
    * colour mode. They replace the diffuse and the ambient colour of its property; the
    * coefficients and the light model stay. Default: off; the other settings are used when it is
-   * on. An input without active scalars then keeps the property's colours, with a warning.
+   * on. An input without active scalars then keeps the property's colours, with a warning; so
+   * does, without one, a block of a composite input that lacks the array.
    *
    * An array of unsigned char is colours itself, with 1 (grey), 2 (grey, alpha), 3 or 4
    * components; a byte b stands for b / 255. All other arrays are mapped through a table.
@@ -273,8 +274,8 @@ public:
    * one, such as a vtkColorTransferFunction. A range that is reversed or not finite is an
    * error, as is one that does not lie above 0 if the table is logarithmic. Default: none, or
    * none again after ResetInputScalarRange(); then the range is that of the table, or, if no
-   * table is set, that of the array's finite numbers. GetInputScalarRange() returns whether a
-   * range is set.
+   * table is set, that of the array's finite numbers, over all blocks of a composite input.
+   * GetInputScalarRange() returns whether a range is set.
    */
   void SetInputScalarRange(int connection, double low, double high);
   void ResetInputScalarRange(int connection);
@@ -398,6 +399,7 @@ private:
 
   template <typename Change>
   void ChangeInput(int connection, const char* method, const Change& change);
+  void PrintInputs(ostream& os, vtkIndent indent);
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
