@@ -69,6 +69,7 @@ COLOR_ARRAY = "Rendering/Core/Scene/ColorArray.h"
 SURFACE_COLOR = "Rendering/Core/SurfacePoints/SurfaceColor.cxx"
 VECTOR_COLOR = "Rendering/Core/SurfacePoints/VectorSurfaceColor.h"
 COLORS = "Rendering/ColorsFromVTK.cxx"
+COLORS_OF_INPUTS = "Rendering/ColorsOfInputs.cxx"
 SURFACE = "Rendering/Core/Scene/Surface.h"
 SPHERE_HITS = "Rendering/Core/Frame/VectorSpheres.h"
 SPHERE_BOXES = "Rendering/Core/Tiles/SphereBoxKernel.cxx"
@@ -445,7 +446,11 @@ MUTATIONS = [
      "unlit colours are not multiplied"),
     (RUN_RANGE, "other.colorSource != this->colorSource", "false",
      "sources of colours are not shaded together"),
-    (COLORS, "isOfCells = !this->Array;", "isOfCells = false;", "active scalars of cells are found"),
+    (COLORS, "(hasPointScalars ? ofPoints : ofCells)->GetScalars()", "ofPoints->GetScalars()",
+     "active scalars of cells are found"),
+    (COLORS_OF_INPUTS, "this->Low = std::min(this->Low, range[0]);", "this->Low = range[0];",
+     "blocks share one range"),
+    (COLORS_OF_INPUTS, " && !input.color;", ";", "a block's own colour comes first"),
     (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
     (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
     # Spheres.
