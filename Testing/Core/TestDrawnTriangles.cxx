@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnTriangles.h"
 
+#include "CellArrays.h"
 #include "CheckedFaces.h"
 #include "RandomNumbers.h"
 #include "ThreadedParallel.h"
@@ -15,23 +16,6 @@ using namespace lambent;
 namespace
 {
 constexpr unsigned char duplicate = 1, refined = 8, hidden = 32, hiddenPoint = 2;
-
-struct Cells
-{
-  std::vector<std::int64_t> offsets{ 0 };
-  std::vector<std::int64_t> connectivity;
-
-  void add(const std::vector<std::int64_t>& ids)
-  {
-    this->connectivity.insert(this->connectivity.end(), ids.begin(), ids.end());
-    this->offsets.push_back(static_cast<std::int64_t>(this->connectivity.size()));
-  }
-  CellSpan span() const
-  {
-    return { { this->offsets.data(), true, this->offsets.size() },
-      { this->connectivity.data(), true, this->connectivity.size() } };
-  }
-};
 
 std::vector<CellUse> list(const UnwrittenVector<CellUse>& uses)
 {
@@ -51,7 +35,7 @@ std::vector<std::int64_t> list(const IndexSpan& span)
 
 TEST(DrawnTriangles, UsesFollowTheFlags)
 {
-  Cells polygons, strips;
+  CellArrays polygons, strips;
   for (int k = 0; k < 5; ++k)
   {
     polygons.add({ 0, 1, 2 });
@@ -67,7 +51,7 @@ TEST(DrawnTriangles, UsesFollowTheFlags)
 
 TEST(DrawnTriangles, CellsWithAHiddenPointHaveNoUse)
 {
-  Cells polygons, strips;
+  CellArrays polygons, strips;
   polygons.add({ 0, 1, 2 });
   polygons.add({ 4, 1, 2, 3 });
   polygons.add({ 0, 3, 99 }); // has a point that does not exist
@@ -84,7 +68,7 @@ TEST(DrawnTriangles, CellsWithAHiddenPointHaveNoUse)
 
 TEST(DrawnTriangles, FlagsThatExcludeNothingCostNothing)
 {
-  Cells polygons, strips;
+  CellArrays polygons, strips;
   polygons.add({ 0, 1, 2 });
   const unsigned char points[] = { 1, 1, 1 }, cells[] = { 4 };
   EXPECT_TRUE(
@@ -155,7 +139,7 @@ TEST(DrawnTriangles, NoneMayBeLeft)
 TEST(DrawnTriangles, NormalsIgnoreUnusedFacesOnly)
 {
   const double points[] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 };
-  Cells polygons, strips;
+  CellArrays polygons, strips;
   polygons.add({ 0, 1, 2 });
   polygons.add({ 1, 3, 2 });
   strips.add({ 0, 1, 2, 3 });

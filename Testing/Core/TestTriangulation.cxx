@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CellArrays.h"
 #include "CellSizes.h"
 #include "RandomNumbers.h"
 #include "ThreadedParallel.h"
@@ -12,22 +13,10 @@ using namespace lambent;
 namespace
 {
 /// Cells and points, with the memory of their spans.
-struct Cells
+struct Cells : CellArrays
 {
-  std::vector<std::int64_t> offsets{ 0 };
-  std::vector<std::int64_t> connectivity;
   std::vector<Vec3> points;
 
-  void add(const std::vector<std::int64_t>& ids)
-  {
-    this->connectivity.insert(this->connectivity.end(), ids.begin(), ids.end());
-    this->offsets.push_back(static_cast<std::int64_t>(this->connectivity.size()));
-  }
-  CellSpan span() const
-  {
-    return { { this->offsets.data(), true, this->offsets.size() },
-      { this->connectivity.data(), true, this->connectivity.size() } };
-  }
   TupleSpan pointSpan() const { return { this->points.data(), true, this->points.size() }; }
 
   TriangleList cut(std::int64_t firstCell = 0, const Parallel& p = Parallel()) const

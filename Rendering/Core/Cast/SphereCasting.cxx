@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SphereCasting.h"
 
+#include "FlushBatch.h"
 #include "SphereCastingKernel.h"
 
 #include <hwy/cache_control.h>
@@ -48,14 +49,7 @@ void SphereCasting<Policy>::add(
 template <typename Policy>
 void SphereCasting<Policy>::flush(TileHits<Policy>& tile, SphereBatch& batch) const
 {
-  tile.least = castBatch(this->Frame, tile.samples, tile.hits, batch);
-  for (const ExactHit& hit : batch.hits)
-  {
-    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, this->Frame.parallel),
-      hit.depth, depthIn(this->Mesh, tile.samples));
-  }
-  batch.count = 0;
-  batch.hits.clear();
+  flushBatch(this->Mesh, tile, batch);
 }
 
 template class SphereCasting<Nearest>;

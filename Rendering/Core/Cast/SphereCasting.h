@@ -24,7 +24,6 @@ class SphereCasting
 public:
   explicit SphereCasting(const FrameMesh& mesh)
     : Mesh(mesh)
-    , Frame(mesh.frame())
   {
   }
 
@@ -39,7 +38,6 @@ private:
   void add(const NextPrimitive& sphere, TileHits<Policy>& tile, SphereBatch& batch) const;
 
   const FrameMesh& Mesh;
-  const CameraFrame& Frame;
 };
 
 extern template class SphereCasting<Nearest>;

@@ -3,6 +3,7 @@
 #include "TriangleCasting.h"
 
 #include "CastingKernel.h"
+#include "FlushBatch.h"
 
 #include <hwy/cache_control.h>
 
@@ -62,14 +63,7 @@ void TriangleCasting<Policy>::add(const NextPrimitive& triangle, const Corners& 
 template <typename Policy>
 void TriangleCasting<Policy>::flush(TileHits<Policy>& tile, TriangleBatch& batch) const
 {
-  tile.least = castBatch(this->Frame, tile.samples, tile.hits, batch);
-  for (const ExactHit& hit : batch.hits)
-  {
-    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, this->Frame.parallel),
-      hit.depth, depthIn(this->Mesh, tile.samples));
-  }
-  batch.count = 0;
-  batch.hits.clear();
+  flushBatch(this->Mesh, tile, batch);
 }
 
 template class TriangleCasting<Nearest>;

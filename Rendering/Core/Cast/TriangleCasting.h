@@ -24,7 +24,6 @@ class TriangleCasting
 public:
   explicit TriangleCasting(const FrameMesh& mesh)
     : Mesh(mesh)
-    , Frame(mesh.frame())
   {
   }
 
@@ -44,7 +43,6 @@ private:
     TriangleBatch& batch) const;
 
   const FrameMesh& Mesh;
-  const CameraFrame& Frame;
 };
 
 extern template class TriangleCasting<Nearest>;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief casts a batch of one kind of primitive, and empties it
+ */
+#ifndef lambent_FlushBatch_h
+#define lambent_FlushBatch_h
+
+#include "Nearness.h"
+#include "TileHits.h"
+
+namespace lambent
+{
+/// Keeps the batch's hits. The kernel of its kind, castBatch(), leaves those open whose depth must
+/// be computed.
+template <typename Policy, typename Batch>
+void flushBatch(const FrameMesh& mesh, TileHits<Policy>& tile, Batch& batch)
+{
+  const CameraFrame& frame = mesh.frame();
+  tile.least = castBatch(frame, tile.samples, tile.hits, batch);
+  for (const auto& hit : batch.hits)
+  {
+    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, frame.parallel), hit.depth,
+      depthIn(mesh, tile.samples));
+  }
+  batch.count = 0;
+  batch.hits.clear();
+}
+}
+
+#endif
