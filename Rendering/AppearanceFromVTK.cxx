@@ -6,6 +6,8 @@
 
 #include "vtkProperty.h"
 
+#include <cmath>
+
 namespace lambent::adapters
 {
 Appearance appearanceFromVTK(vtkProperty* property)
@@ -19,6 +21,7 @@ Appearance appearanceFromVTK(vtkProperty* property)
   result.ambient = property->GetAmbient();
   result.diffuseColor = vec3FromVTK(property->GetDiffuseColor());
   result.ambientColor = vec3FromVTK(property->GetAmbientColor());
+  result.opacity = property->GetOpacity();
   result.shading = !property->GetLighting()    ? Shading::Unlit
     : property->GetInterpolation() == VTK_FLAT ? Shading::Flat
                                                : Shading::Smooth;
@@ -29,6 +32,10 @@ Appearance appearanceFromVTK(vtkProperty* property)
 
 std::string describeDefect(const Appearance& appearance)
 {
+  if (!std::isfinite(appearance.opacity))
+  {
+    return "has an opacity that is not a finite number. Call SetOpacity() with 0 to 1.";
+  }
   if (isFinite(appearance.diffuseColor) && isFinite(appearance.diffuseReflection()) &&
     isFinite(appearance.ambientReflection()))
   {

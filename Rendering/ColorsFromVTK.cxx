@@ -27,6 +27,18 @@ std::string nameOf(vtkDataArray* array)
   return name && *name ? "\"" + std::string(name) + "\"" : "without a name";
 }
 
+/// Whether some alpha is not 255. It is the last of an even number of components.
+bool isAnyTransparent(const unsigned char* bytes, std::size_t tuples, int components)
+{
+  const auto step = static_cast<std::size_t>(components);
+  bool isAny = false;
+  for (std::size_t k = 0; components % 2 == 0 && k < tuples; ++k)
+  {
+    isAny = isAny || bytes[(k + 1) * step - 1] != 255;
+  }
+  return isAny;
+}
+
 double powerOfTen(double exponent)
 {
   return exponent < 0.0 ? 1.0 / power(10.0, -exponent) : power(10.0, exponent);
@@ -59,6 +71,7 @@ ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, Sp
   this->findArray(input, spans);
   if (!this->Result.values || this->Array->GetDataType() == VTK_UNSIGNED_CHAR)
   {
+    this->findAlpha();
     return; // no colours, or colours as they are
   }
   // As in vtkMapper, an array's own table comes first.
@@ -68,6 +81,18 @@ ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, Sp
   // Not a copy: vtkScalarsToColors::DeepCopy() loses the colours of NaN and beyond the range.
   const auto usual = vtkSmartPointer<vtkLookupTable>::New();
   this->map(given ? given : usual, spans);
+  this->findAlpha();
+}
+
+/// Alpha costs time, so it is only used where it makes a difference.
+void ColorsFromVTK::findAlpha()
+{
+  const AttributeSpan& values = this->Result.values;
+  this->Result.hasAlpha = this->Result.table
+    ? isAnyTransparent(this->Entries.data(), this->Entries.size() / 4, 4)
+    : values.data &&
+      isAnyTransparent(static_cast<const unsigned char*>(values.data),
+        static_cast<std::size_t>(this->Array->GetNumberOfTuples()), values.components);
 }
 
 void ColorsFromVTK::findArray(vtkPolyData* input, SpansFromVTK& spans)

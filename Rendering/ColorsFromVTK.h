@@ -53,6 +53,7 @@ private:
   void useTable(vtkLookupTable* table);
   void sample(vtkScalarsToColors* table);
   void mapAll(vtkScalarsToColors* table, SpansFromVTK& spans);
+  void findAlpha();
   void addEntry(const unsigned char color[4]);
   void addEntry(const double color[4]);
 

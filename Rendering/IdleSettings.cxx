@@ -41,8 +41,6 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
   add(property->GetRepresentation() == VTK_POINTS,
     "SetRepresentationToPoints() has no effect; faces are always filled. Draw the points as "
     "spheres with SetInputSphereRadius().");
-  add(property->GetOpacity() != 1.0,
-    "SetOpacity() has no effect; every surface is opaque. Set it back to 1, or remove the input.");
   add(property->GetEdgeVisibility() != 0,
     "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
     "vtkExtractEdges and vtkTubeFilter.");
@@ -97,25 +95,6 @@ void addProperties(Messages& messages, const SceneSettings& settings)
   if (isCommonUsed && common)
   {
     addProperty(messages, "The property of all inputs:", common);
-  }
-}
-
-void addBlocks(Messages& messages, const SceneSettings& settings)
-{
-  std::string first;
-  std::size_t count = 0;
-  for (const SceneSettings::Input& input : settings.inputs)
-  {
-    if (input.opacity && *input.opacity != 1.0 && count++ == 0)
-    {
-      first = nameOf(input);
-    }
-  }
-  if (count > 0)
-  {
-    messages.push_back(nameSeveral(first, count) +
-      ": vtkCompositeDataDisplayAttributes::SetBlockOpacity() has no effect; every surface is "
-      "opaque. Set it back to 1, or call SetBlockVisibility() to hide the block.");
   }
 }
 
@@ -280,7 +259,6 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
   }
   addProperties(messages, settings);
   addColors(messages, settings);
-  addBlocks(messages, settings);
   addUndrawableBlocks(messages, settings.undrawableBlocks);
   addNormalSettings(messages, settings);
   addLights(messages, settings);

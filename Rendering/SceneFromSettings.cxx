@@ -59,6 +59,16 @@ std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& sett
           "vtkCompositeDataDisplayAttributes::SetBlockColor() with finite ones.");
       }
     }
+    if (input.opacity)
+    {
+      result.back().opacity = *input.opacity;
+      if (!(*input.opacity >= 0.0 && *input.opacity <= 1.0))
+      {
+        throw std::runtime_error(nameOf(input) +
+          ": its opacity is not a number from 0 to 1. Call "
+          "vtkCompositeDataDisplayAttributes::SetBlockOpacity() with one.");
+      }
+    }
   }
   return result;
 }

@@ -165,10 +165,10 @@ public:
   ///@{
   /**
    * Give "Color" a fourth component, alpha: the fraction of the pixel's samples that hit a
-   * surface, 0 to 1 or 0 to 255. The other components are then the mean colour of these samples
-   * alone (straight alpha), and 0 where alpha is 0, so that the picture can be laid over anything.
-   * It has no background; setting one causes a warning. With Supersampling 1, alpha is 0 or 1.
-   * Default: off.
+   * surface, each counted with the opacity of what it sees, 0 to 1 or 0 to 255. The other
+   * components are then the mean colour of these samples alone (straight alpha), and 0 where alpha
+   * is 0, so that the picture can be laid over anything. It has no background; setting one causes a
+   * warning. With Supersampling 1 and opaque surfaces, alpha is 0 or 1. Default: off.
    */
   vtkSetMacro(OutputAlpha, vtkTypeBool);
   vtkGetMacro(OutputAlpha, vtkTypeBool);

@@ -71,7 +71,7 @@
  * and scale, and window centre. It ignores the clipping range; user transforms, off-axis
  * projection, view shear and explicit projection matrices are not supported. It depends on
  * vtkProperty's diffuse and ambient colours and coefficients, Interpolation, Lighting,
- * FrontfaceCulling and BackfaceCulling, but not on wireframe, points, opacity, specular
+ * Opacity, FrontfaceCulling and BackfaceCulling, but not on wireframe, points, specular
  * terms, textures and edges. A setting without effect causes a warning, once for as long
  * as it stays; this includes FeatureAngle and Splitting if they are changed although no
  * input needs computed normals. Shading multiplies up to six lengths, so coordinates and
@@ -204,10 +204,10 @@ public:
    * vtkCompositePolyDataMapper2, they are looked up by the block's data object, and apply to all
    * blocks below it that do not have their own: hiding a block hides its subtree, except for blocks
    * that are set visible. A colour replaces the property's diffuse and ambient colours, and those
-   * of an array; the coefficients stay. Opacity has no effect and causes a warning, like that of
-   * vtkProperty; other attributes are ignored. Colours that are not finite are an error. They also
-   * apply to an input that is a single vtkPolyData. Default: none (nullptr); all blocks are visible
-   * and look as the property says.
+   * of an array; the coefficients stay. An opacity replaces that of the property. Other attributes
+   * are ignored. Colours that are not finite, and opacities that are not from 0 to 1, are errors.
+   * The attributes also apply to an input that is a single vtkPolyData. Default: none (nullptr);
+   * all blocks are visible and look as the property says.
    *
    * @note RemoveBlockColor() and some other Remove...() methods of VTK's class do not change its
    * modification time. Call Modified() after them.
@@ -227,7 +227,8 @@ public:
    *
    * An array of unsigned char is colours itself, with 1 (grey), 2 (grey, alpha), 3 or 4
    * components; a byte b stands for b / 255. All other arrays are mapped through a table.
-   * Alpha is not used yet. Colours of points are interpolated across a face with the
+   * Alpha, of the array or of the table, multiplies the opacity of the property. Colours of points,
+   * and their alpha, are interpolated across a face with the
    * barycentric coordinates of the hit; colours of cells are constant.
    */
   void SetInputScalarVisibility(int connection, bool visibility);

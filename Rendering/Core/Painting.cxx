@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Painting.h"
 
-#include "PointKernel.h"
-#include "ShadingKernel.h"
-
 namespace lambent
 {
 static_assert(SampleBatch::pieceSize == Film::mostPixels, "a piece is stored at a time");
@@ -156,21 +153,7 @@ template <typename StoreTo>
 void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* points) const
 {
   this->fillBackground(batch);
-  RunRange range;
-  while (range.moveOn(this->Points.mesh(), batch))
-  {
-    const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
-    if (isOfPrimitives && range.isUnlit)
-    {
-      this->shadeUnlit(range, batch, points);
-      continue;
-    }
-    if (isOfPrimitives && !range.appearance)
-    {
-      loadColors(range, batch);
-    }
-    shadeSamples(this->Points, this->Light, range, batch, points);
-  }
+  this->Shades.shade(batch, points);
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
     store(batch.pieces[piece],
@@ -229,22 +212,6 @@ void Painting::fillBackground(SampleBatch& batch) const
   for (int place = 0; this->Target.target().hasAlpha && place < places; ++place)
   {
     batch.colors[3][place] = batch.isHit(place) ? 1.0 : 0.0;
-  }
-}
-
-void Painting::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const
-{
-  if (points)
-  {
-    computePoints(this->Points, range, batch, *points);
-  }
-  loadColors(range, batch);
-  for (int place = range.first; place < range.end; ++place)
-  {
-    for (int channel = 0; batch.isHit(place) && channel < 3; ++channel)
-    {
-      batch.colors[channel][place] = batch.diffuse[channel][batch.run[place]];
-    }
   }
 }
 }

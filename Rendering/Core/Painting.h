@@ -7,8 +7,7 @@
  * Windows and rows are counted in samples here.
  *
  * paintPlainly() shades one sample at a time and is the definition. paint() splits rows into
- * pieces, which begin as background. A kernel shades the hits on surfaces that are shaded alike,
- * and gives the same bits.
+ * pieces, which begin as background, shades them with SampleShading, and gives the same bits.
  */
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
@@ -16,8 +15,7 @@
 #include "Film.h"
 #include "LightModel.h"
 #include "PassPainting.h"
-#include "RunRange.h"
-#include "SurfacePoints.h"
+#include "SampleShading.h"
 #include "TileSamples.h"
 
 #include <memory>
@@ -42,6 +40,7 @@ public:
     const PassPainting& passes)
     : Points(points)
     , Light(light)
+    , Shades(points, light)
     , Target(film)
     , Passes(passes)
   {
@@ -77,10 +76,10 @@ private:
   void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;
   void fillMissed(SampleBatch& batch, int number) const;
-  void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
 
   const SurfacePoints& Points;
   const LightModel& Light;
+  const SampleShading Shades;
   const Film& Target;
   const PassPainting& Passes;
 };

@@ -49,13 +49,16 @@ public:
     , BinningPace(
         std::max<std::size_t>(mostItems / (image.samples * image.samples), 4096), mostItems)
     , Caster(this->InFrame, this->Grid)
+    , LayerCaster(this->InFrame, this->Grid)
     , Points(this->InFrame, scene.twoSidedLighting)
     , Light(scene, this->Frame.eye)
     , Target(scene, image)
     , Passes(this->Points, this->Target.target())
     , Painter(this->Points, this->Light, this->Target, this->Passes)
-    , Work(this->Frame, this->Samples, this->Grid, this->Caster, this->Painter, parallel.workers(),
-        settings.kernels)
+    , LayerPainter(this->Points, this->Light, this->Target, this->Passes)
+    , Work(this->Frame, this->Samples, this->Grid,
+        { this->InFrame, this->Caster, this->LayerCaster, this->Painter, this->LayerPainter },
+        parallel.workers(), settings.kernels)
   {
     for (int worker = 0; worker < parallel.workers(); ++worker)
     {
@@ -220,11 +223,13 @@ private:
   std::vector<std::unique_ptr<BinningMemory>> Filled; ///< one per worker
   std::vector<const Bins*> FilledBins;
   const Casting<Nearest> Caster;
+  const Casting<Layers> LayerCaster;
   const SurfacePoints Points;
   const LightModel Light;
   const Film Target;
   const PassPainting Passes;
   const Painting Painter;
+  const LayerPainting LayerPainter;
   TileTasks Work;
   bool IsComplete = false;
 };

@@ -12,8 +12,7 @@ void TileTasks::plan(const std::vector<const Bins*>& bins)
   {
     this->Splits.push_back(std::make_unique<SplitTile>());
     this->Splits.back()->remaining = split.shares;
-    this->Splits.back()->tile.reset(
-      this->Frame, this->Part, this->Grid, this->Grid.window(split.tile));
+    this->reset(this->Splits.back()->tile, split.tile);
   }
 }
 
@@ -51,17 +50,34 @@ void TileTasks::run(std::size_t batch, const std::vector<const Bins*>& bins,
     });
 }
 
-/// Adds hits of this round to those of a tile.
-TileHits<Nearest>& TileTasks::keep(const TileHits<Nearest>& hits, int tile)
+/// Removes all hits.
+void TileTasks::reset(AllHits& hits, int tile) const
 {
-  std::unique_ptr<TileHits<Nearest>>& kept = this->Kept[tile];
+  const Window window = this->Grid.window(tile);
+  hits.opaque.reset(this->Frame, this->Part, this->Grid, window);
+  if (this->HasTransparency)
+  {
+    hits.transparent.reset(this->Frame, this->Part, this->Grid, window);
+  }
+}
+
+void TileTasks::merge(const AllHits& from, AllHits& hits) const
+{
+  this->Steps.casting.merge(from.opaque, hits.opaque);
+  this->Steps.layerCasting.merge(from.transparent, hits.transparent);
+}
+
+/// Adds hits of this round to those of a tile.
+TileTasks::AllHits& TileTasks::keep(const AllHits& hits, int tile)
+{
+  std::unique_ptr<AllHits>& kept = this->Kept[tile];
   if (kept)
   {
-    this->Caster.merge(hits, *kept);
+    this->merge(hits, *kept);
   }
   else
   {
-    kept = std::make_unique<TileHits<Nearest>>(hits);
+    kept = std::make_unique<AllHits>(hits);
   }
   return *kept;
 }
@@ -83,21 +99,21 @@ void TileTasks::paintBackground(const Window& samples) const
 {
   if (!samples.empty())
   {
-    this->Painter.paintBackground(samples);
+    this->Steps.painting.paintBackground(samples);
   }
 }
 
 void TileTasks::run(
   const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory, bool isLastRound)
 {
-  TileHits<Nearest>* tile = &memory.tile;
-  tile->reset(this->Frame, this->Part, this->Grid, this->Grid.window(task.tile));
+  AllHits* tile = &memory.tile;
+  this->reset(*tile, task.tile);
   this->cast(task, bins, memory);
   if (task.split >= 0)
   {
     SplitTile& split = *this->Splits[task.split];
     const std::lock_guard<std::mutex> lock(split.mutex);
-    this->Caster.merge(*tile, split.tile);
+    this->merge(*tile, split.tile);
     if (--split.remaining > 0)
     {
       return;
@@ -117,6 +133,20 @@ void TileTasks::run(
 void TileTasks::cast(
   const TileTask& task, const std::vector<const Bins*>& bins, Memory& memory) const
 {
+  AllHits& tile = memory.tile;
+  this->cast(task, bins, this->Steps.casting, tile.opaque, memory.casting);
+  if (this->HasTransparency)
+  {
+    tile.transparent.hits.setOpaque(tile.opaque.hits);
+    tile.transparent.least = tile.opaque.least;
+    this->cast(task, bins, this->Steps.layerCasting, tile.transparent, memory.casting);
+  }
+}
+
+template <typename Policy>
+void TileTasks::cast(const TileTask& task, const std::vector<const Bins*>& bins,
+  const Casting<Policy>& casting, TileHits<Policy>& tile, CastingMemory& memory) const
+{
   int number = 0;
   const auto isMine = [&]() { return number++ % task.shares == task.share; };
   forBins(this->Grid, bins, task.tile,
@@ -127,8 +157,8 @@ void TileTasks::cast(
         {
           if (isMine())
           {
-            this->Kernels ? this->Caster.cast(entries, count, level, memory.tile, memory.casting)
-                          : this->Caster.castPlainly(entries, count, level, memory.tile);
+            this->Kernels ? casting.cast(entries, count, level, tile, memory)
+                          : casting.castPlainly(entries, count, level, tile);
           }
         });
       if (this->Grid.isFinest(level))
@@ -138,21 +168,39 @@ void TileTasks::cast(
           {
             if (isMine())
             {
-              this->Caster.addHits(hits, count, memory.tile);
+              casting.addHits(hits, count, tile);
             }
           });
       }
     });
   if (this->Kernels)
   {
-    this->Caster.flush(memory.tile, memory.casting);
+    casting.flush(tile, memory);
   }
 }
 
-void TileTasks::paint(const TileHits<Nearest>& tile, Memory& memory) const
+void TileTasks::paint(const AllHits& tile, Memory& memory) const
 {
-  const std::uint32_t* const primitives = tile.hits.primitives();
-  this->Kernels ? this->Painter.paint(tile.samples, primitives, memory.painting)
-                : this->Painter.paintPlainly(tile.samples, primitives);
+  if (this->HasTransparency)
+  {
+    this->paintLayers(tile, memory);
+    return;
+  }
+  const TileSamples& samples = tile.opaque.samples;
+  const std::uint32_t* const primitives = tile.opaque.hits.primitives();
+  this->Kernels ? this->Steps.painting.paint(samples, primitives, memory.painting)
+                : this->Steps.painting.paintPlainly(samples, primitives);
+}
+
+void TileTasks::paintLayers(const AllHits& tile, Memory& memory) const
+{
+  if (!memory.layers)
+  {
+    memory.layers = std::make_unique<LayerMemory>();
+  }
+  const TileSamples& samples = tile.opaque.samples;
+  memory.layers->sorted.sort(this->Steps.mesh, tile.opaque, tile.transparent.hits);
+  this->Kernels ? this->Steps.layerPainting.paint(samples, *memory.layers)
+                : this->Steps.layerPainting.paintPlainly(samples, *memory.layers);
 }
 }

@@ -164,25 +164,6 @@ TEST(BlockAttributes, HiddenBlocksAreNotFramed)
   EXPECT_EQ(studio.position(), expected.position());
 }
 
-TEST(BlockAttributes, OpacityCausesAWarning)
-{
-  Row row;
-  Messages messages(row.studio.tracer);
-  setName(row.root, 0, "glass");
-  row.attributes->SetBlockOpacity(row.meshes[0], 1.0);
-  EXPECT_EQ(row.colors()[0], grey);
-  EXPECT_TRUE(messages.warnings().empty());
-  row.attributes->SetBlockOpacity(row.meshes[0], 0.5);
-  EXPECT_EQ(row.colors()[0], grey);
-  expectMessage(messages.warnings(),
-    { "Input 0, block 1 (\"glass\"): vtkCompositeDataDisplayAttributes::SetBlockOpacity()",
-      "SetBlockVisibility()" });
-  messages.clear();
-  row.attributes->SetBlockOpacity(row.inner, 0.25);
-  row.colors();
-  expectMessage(messages.warnings(), { "Input 0, block 1 (\"glass\") and 4 more: " });
-}
-
 // A property that is wrong is named once, not for each block.
 TEST(BlockAttributes, PropertiesAreNamedByTheirInput)
 {

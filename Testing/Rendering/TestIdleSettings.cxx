@@ -21,7 +21,6 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
       [](vtkProperty* property) { property->SetRepresentationToWireframe(); } },
     { { "SetRepresentationToPoints()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
-    { { "SetOpacity()", "back to 1" }, [](vtkProperty* property) { property->SetOpacity(0.5); } },
     { { "EdgeVisibilityOn()", "vtkTubeFilter" },
       [](vtkProperty* property) { property->EdgeVisibilityOn(); } },
     { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
@@ -101,14 +100,16 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "Wireframe" });
 
   messages.clear();
-  other->SetOpacity(0.5);
+  other->SetInterpolationToPBR();
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "Input 0 and 1 more: vtkProperty::", "SetOpacity()" });
+  expectMessage(
+    messages.warnings(), { "Input 0 and 1 more: vtkProperty::", "SetInterpolationToPBR()" });
 
   messages.clear();
   studio.tracer->SetProperty(other);
   studio.tracer->Update(); // the same property, so one message
-  expectMessage(messages.warnings(), { "The property of all inputs: vtkProperty::SetOpacity()" });
+  expectMessage(
+    messages.warnings(), { "The property of all inputs: vtkProperty::SetInterpolationToPBR()" });
 }
 
 // A common property that no input uses causes no warning.
@@ -119,7 +120,7 @@ TEST(IdleSettings, UnusedPropertyIsNotNamed)
   studio.tracer->SetInputData(makeSquare());
   vtkNew<vtkProperty> own;
   studio.tracer->SetInputProperty(0, own);
-  studio.property->SetOpacity(0.5);
+  studio.property->SetInterpolationToPBR();
   studio.tracer->Update();
   EXPECT_TRUE(messages.warnings().empty());
 }
@@ -129,9 +130,10 @@ TEST(IdleSettings, AreNamedAgainWhenTheyReturn)
   Studio studio;
   Messages messages(studio.tracer);
   studio.tracer->SetInputData(makeSquare());
-  for (double opacity : { 0.5, 0.25, 1.0, 0.5 })
+  for (int interpolation : { VTK_PBR, VTK_PBR, VTK_FLAT, VTK_PBR })
   {
-    studio.property->SetOpacity(opacity);
+    studio.property->SetInterpolation(interpolation);
+    studio.property->Modified();
     studio.tracer->Update();
   }
   EXPECT_EQ(messages.warnings().size(), 2u);

@@ -58,6 +58,7 @@ void BodySurface::setColors(const Body& body)
   }
   this->Colors.component = colors.component;
   this->Colors.isMappedLast = colors.isMappedLast;
+  this->Colors.hasAlpha = colors.hasAlpha;
   if (!colors.entries.empty())
   {
     this->Table = std::make_unique<lambent::ColorTable>(

@@ -28,6 +28,11 @@ void landscape(Stage& s)
     body.pointArray("Paint", 3, AttributeType::UInt8);
     body.cellArray("Part", 1, AttributeType::Int32);
     body.cellArray("Shade", 4, AttributeType::UInt8);
+    StageArray& shade = body.arrays.back();
+    for (std::size_t k = 3; k < shade.values.size(); k += 4)
+    {
+      shade.values[k] = 255.0; // opaque
+    }
   }
 }
 

@@ -33,6 +33,7 @@ SceneList surfaceScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();
+SceneList transparencyScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

@@ -182,6 +182,7 @@ std::vector<Body> Stage::visibleBodies() const
       appearance = first->appearance;
       appearance.diffuseColor = body.blockColor.value_or(appearance.diffuseColor);
       appearance.ambientColor = body.blockColor.value_or(appearance.ambientColor);
+      appearance.opacity = body.blockOpacity.value_or(appearance.opacity);
       result.back().transform = first->transform;
       result.back().block.clear();
     }

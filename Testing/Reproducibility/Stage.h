@@ -46,6 +46,7 @@ struct StageColors
   double low = 0.0, high = 1.0;
   bool isLogarithmic = false;
   bool isMappedLast = false;
+  bool hasAlpha = false; ///< the array's or the table's is used; VTK's filters find it out
 
   std::size_t entryCount() const
   {
@@ -76,6 +77,7 @@ struct Body
   /// its first body. Empty: the body is an input of its own.
   std::vector<int> block;
   std::optional<Vec3> blockColor;
+  std::optional<double> blockOpacity;
 
   /// Sets the diffuse colour, which is also the plain one, and the ambient colour.
   Body& paint(const Vec3& diffuse, const Vec3& ambient = Vec3(0.0));

@@ -165,6 +165,7 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
     appearance.diffuseColor.x, appearance.diffuseColor.y, appearance.diffuseColor.z);
   property->SetAmbientColor(
     appearance.ambientColor.x, appearance.ambientColor.y, appearance.ambientColor.z);
+  property->SetOpacity(appearance.opacity);
   property->SetInterpolation(appearance.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
   property->SetLighting(appearance.shading != lambent::Shading::Unlit);
   property->SetFrontfaceCulling(appearance.cullFront);
@@ -187,8 +188,8 @@ vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors)
   for (std::size_t k = 0; k < colors.entryCount(); ++k)
   {
     const unsigned char* const entry = &colors.entries[4 * k];
-    table->SetTableValue(
-      static_cast<vtkIdType>(k), channel(entry[0]), channel(entry[1]), channel(entry[2]));
+    table->SetTableValue(static_cast<vtkIdType>(k), channel(entry[0]), channel(entry[1]),
+      channel(entry[2]), channel(entry[3]));
   }
   if (colors.hasSpecialColors)
   {

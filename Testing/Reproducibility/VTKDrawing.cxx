@@ -95,6 +95,10 @@ void addBlocks(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRa
   {
     const auto mesh = toPolyData(body);
     parentOf(body.block, root)->SetBlock(static_cast<unsigned int>(body.block.back()), mesh);
+    if (body.blockOpacity)
+    {
+      attributes->SetBlockOpacity(mesh, *body.blockOpacity);
+    }
     if (body.blockColor)
     {
       attributes->SetBlockColor(mesh, &body.blockColor->x);

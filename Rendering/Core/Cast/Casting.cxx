@@ -61,7 +61,7 @@ void Casting<Policy>::castPlainly(
   {
     const BinEntry& entry = entries[k];
     const Window box = boxes.of(entry);
-    if (!box.empty())
+    if (!box.empty() && this->takes(entry.primitive))
     {
       this->Mesh.visit(entry.primitive,
         [&](const auto& primitive) { this->test(primitive, entry.primitive, box, tile); });
@@ -161,6 +161,13 @@ template <typename Policy>
 void Casting<Policy>::castNext(
   NextPrimitive* next, int count, TileHits<Policy>& tile, CastingMemory& memory) const
 {
+  if (this->IsMixed)
+  {
+    count =
+      static_cast<int>(std::remove_if(next, next + count,
+                         [this](const NextPrimitive& one) { return !this->takes(*one.part); }) -
+        next);
+  }
   int triangles = count;
   if (this->Mesh.mesh().hasSpheres())
   {
@@ -194,8 +201,11 @@ void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>&
 {
   for (int k = 0; k < count; ++k)
   {
-    tile.hits.offer(
-      hits[k].sample, hits[k].primitive, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+    if (this->takes(hits[k].primitive))
+    {
+      tile.hits.offer(
+        hits[k].sample, hits[k].primitive, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+    }
   }
 }
 
@@ -206,4 +216,5 @@ void Casting<Policy>::merge(const TileHits<Policy>& from, TileHits<Policy>& tile
 }
 
 template class Casting<Nearest>;
+template class Casting<Layers>;
 }

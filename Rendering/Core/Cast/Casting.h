@@ -14,7 +14,8 @@
  * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h).
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
- * of each sample.
+ * of each sample. In a scene that has transparent surfaces, it only takes the opaque ones; Layers
+ * takes the transparent ones, and keeps all hits.
  */
 #ifndef lambent_Casting_h
 #define lambent_Casting_h
@@ -43,6 +44,7 @@ public:
     , Grid(grid)
     , Triangles(mesh)
     , Spheres(mesh)
+    , IsMixed(mesh.mesh().hasTransparency())
   {
   }
 
@@ -63,6 +65,15 @@ public:
   void merge(const TileHits<Policy>& from, TileHits<Policy>& tile) const;
 
 private:
+  /// Whether the policy takes the primitives of a part.
+  bool takes(const SceneMesh::Part& part) const
+  {
+    return !this->IsMixed || part.isTransparent() == Policy::isForTransparent;
+  }
+  bool takes(std::uint32_t primitive) const
+  {
+    return !this->IsMixed || this->takes(this->Mesh.mesh().partOf(primitive));
+  }
   void castWaiting(TileHits<Policy>& tile, CastingMemory& memory) const;
   void castWaiting(int begin, int end, TileHits<Policy>& tile, CastingMemory& memory) const;
 
@@ -79,9 +90,11 @@ private:
   const TileGrid& Grid;
   const TriangleCasting<Policy> Triangles;
   const SphereCasting<Policy> Spheres;
+  const bool IsMixed; ///< the scene has transparent surfaces
 };
 
 extern template class Casting<Nearest>;
+extern template class Casting<Layers>;
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "CastingSetup.h"
 #include "ExactRow.h"
+#include "VectorLayers.h"
 #include "VectorNearest.h"
 
 #include "CastingKernel.h"
@@ -149,6 +150,12 @@ float CastNearest(
 {
   return castTriangles(frame, samples, VectorNearest(nearest), batch);
 }
+
+float CastLayers(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, TriangleBatch& batch)
+{
+  return castTriangles(frame, samples, VectorLayers(layers, samples), batch);
+}
 }
 }
 }
@@ -158,11 +165,18 @@ HWY_AFTER_NAMESPACE();
 namespace lambent
 {
 HWY_EXPORT(CastNearest);
+HWY_EXPORT(CastLayers);
 
 float castBatch(
   const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, TriangleBatch& batch)
 {
   return HWY_DYNAMIC_DISPATCH(CastNearest)(frame, samples, nearest, batch);
+}
+
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, TriangleBatch& batch)
+{
+  return HWY_DYNAMIC_DISPATCH(CastLayers)(frame, samples, layers, batch);
 }
 }
 #endif

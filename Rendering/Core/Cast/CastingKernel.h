@@ -42,7 +42,7 @@
 #define lambent_CastingKernel_h
 
 #include "CameraFrame.h"
-#include "Nearest.h"
+#include "Layers.h"
 #include "TileSamples.h"
 #include "TriangleBatch.h"
 
@@ -53,6 +53,8 @@ namespace lambent
 /// is one overload per policy.
 float castBatch(
   const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, TriangleBatch& batch);
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, TriangleBatch& batch);
 }
 
 #endif

@@ -29,6 +29,9 @@ namespace lambent
 class Nearest
 {
 public:
+  /// Whether the policy is for the transparent surfaces of a scene, or for the opaque ones.
+  static constexpr bool isForTransparent = false;
+
   /// Removes all hits.
   void reset(std::size_t size)
   {
@@ -44,6 +47,7 @@ public:
   float* highs() { return this->Highs.data(); }
   std::uint32_t* primitives() { return this->Primitives.data(); }
   const float* lows() const { return this->Lows.data(); }
+  const float* highs() const { return this->Highs.data(); }
   const std::uint32_t* primitives() const { return this->Primitives.data(); }
 
   /// Offers a certain hit. depthOf(primitive, sample) computes a depth if needed.
@@ -95,6 +99,13 @@ public:
         this->offer(sample, primitive, { other.Lows[sample], other.Highs[sample] }, depthOf);
       }
     }
+  }
+
+  /// The depth of a sample's hit, or NaN if it has not been computed.
+  double depth(std::size_t sample) const
+  {
+    return this->knowsDepth(sample) ? this->Depths[sample]
+                                    : std::numeric_limits<double>::quiet_NaN();
   }
 
 private:

@@ -16,7 +16,7 @@ void SphereCasting<Policy>::cast(
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = *spheres[k].part;
-    hwy::Prefetch(part.points().at(spheres[k].waiting->number - part.firstPrimitive));
+    hwy::Prefetch(part.points().at(part.sphereOf(spheres[k].waiting->number)));
   }
   for (int k = 0; k < count; ++k)
   {
@@ -29,7 +29,7 @@ void SphereCasting<Policy>::add(
   const NextPrimitive& sphere, TileHits<Policy>& tile, SphereBatch& batch) const
 {
   const SceneMesh::Part& part = *sphere.part;
-  const std::size_t point = sphere.waiting->number - part.firstPrimitive;
+  const std::size_t point = part.sphereOf(sphere.waiting->number);
   const Vec3 center = part.points()[point];
   batch.centers[0][batch.count] = center.x;
   batch.centers[1][batch.count] = center.y;
@@ -38,8 +38,8 @@ void SphereCasting<Policy>::add(
   batch.spheres[batch.count] = sphere.waiting->number;
   batch.boxes[batch.count] = sphere.waiting->box;
   batch.nearest[batch.count] = sphere.waiting->nearest;
-  batch.hasOutside[batch.count] = !part.appearance->cullFront;
-  batch.hasInside[batch.count] = !part.appearance->cullBack;
+  batch.hasOutside[batch.count] = part.hasOutside(sphere.waiting->number);
+  batch.hasInside[batch.count] = part.hasInside(sphere.waiting->number);
   if (++batch.count == SphereBatch::capacity)
   {
     this->flush(tile, batch);
@@ -53,4 +53,5 @@ void SphereCasting<Policy>::flush(TileHits<Policy>& tile, SphereBatch& batch) co
 }
 
 template class SphereCasting<Nearest>;
+template class SphereCasting<Layers>;
 }

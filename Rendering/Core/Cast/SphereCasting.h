@@ -11,7 +11,7 @@
 #ifndef lambent_SphereCasting_h
 #define lambent_SphereCasting_h
 
-#include "Nearest.h"
+#include "Layers.h"
 #include "SphereBatch.h"
 #include "TileHits.h"
 #include "WaitingPrimitives.h"
@@ -41,6 +41,7 @@ private:
 };
 
 extern template class SphereCasting<Nearest>;
+extern template class SphereCasting<Layers>;
 }
 
 #endif

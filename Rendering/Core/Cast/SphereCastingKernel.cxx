@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "VectorLayers.h"
 #include "VectorNearest.h"
 #include "VectorSpheres.h"
 
@@ -67,8 +68,8 @@ void append(
 }
 
 /// Keeps hits of the samples from `sample` on.
-template <bool IsParallel>
-HWY_INLINE void keep(const VectorNearest& policy, M hit, V depth, std::size_t sample,
+template <bool IsParallel, typename VectorPolicy>
+HWY_INLINE void keep(const VectorPolicy& policy, M hit, V depth, std::size_t sample,
   std::uint32_t sphere, std::vector<ExactHit>& hits)
 {
   const M isRanged = hn::And(hit,
@@ -90,9 +91,9 @@ HWY_INLINE void keep(const VectorNearest& policy, M hit, V depth, std::size_t sa
   }
 }
 
-template <bool IsParallel>
+template <bool IsParallel, typename VectorPolicy>
 void castSphere(const VectorSphere& sphere, std::uint32_t number, const Window& box,
-  const TileSamples& samples, const VectorNearest& policy, std::vector<ExactHit>& hits)
+  const TileSamples& samples, const VectorPolicy& policy, std::vector<ExactHit>& hits)
 {
   for (int i = box.i0; i < box.i1; i += static_cast<int>(lanes))
   {
@@ -114,8 +115,8 @@ void castSphere(const VectorSphere& sphere, std::uint32_t number, const Window& 
   }
 }
 
-template <bool IsParallel>
-float castSpheres(const CameraFrame& frame, const TileSamples& samples, const VectorNearest& policy,
+template <bool IsParallel, typename VectorPolicy>
+float castSpheres(const CameraFrame& frame, const TileSamples& samples, const VectorPolicy& policy,
   SphereBatch& batch)
 {
   const Window& window = samples.window();
@@ -141,12 +142,24 @@ float castSpheres(const CameraFrame& frame, const TileSamples& samples, const Ve
   return leastBefore;
 }
 
-float CastSpheres(
-  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, SphereBatch& batch)
+template <typename VectorPolicy>
+float castSpheres(const CameraFrame& frame, const TileSamples& samples, const VectorPolicy& policy,
+  SphereBatch& batch)
 {
-  const VectorNearest policy(nearest);
   return frame.parallel ? castSpheres<true>(frame, samples, policy, batch)
                         : castSpheres<false>(frame, samples, policy, batch);
+}
+
+float CastNearest(
+  const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, SphereBatch& batch)
+{
+  return castSpheres(frame, samples, VectorNearest(nearest), batch);
+}
+
+float CastLayers(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, SphereBatch& batch)
+{
+  return castSpheres(frame, samples, VectorLayers(layers, samples), batch);
 }
 }
 }
@@ -156,12 +169,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
-HWY_EXPORT(CastSpheres);
+HWY_EXPORT(CastNearest);
+HWY_EXPORT(CastLayers);
 
 float castBatch(
   const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, SphereBatch& batch)
 {
-  return HWY_DYNAMIC_DISPATCH(CastSpheres)(frame, samples, nearest, batch);
+  return HWY_DYNAMIC_DISPATCH(CastNearest)(frame, samples, nearest, batch);
+}
+
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, SphereBatch& batch)
+{
+  return HWY_DYNAMIC_DISPATCH(CastLayers)(frame, samples, layers, batch);
 }
 }
 #endif

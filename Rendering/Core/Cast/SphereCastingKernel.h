@@ -12,16 +12,18 @@
 #define lambent_SphereCastingKernel_h
 
 #include "CameraFrame.h"
-#include "Nearest.h"
+#include "Layers.h"
 #include "SphereBatch.h"
 #include "TileSamples.h"
 
 namespace lambent
 {
-/// Casts the batch. Stores hits in `nearest`, or appends them to batch.hits. Returns a lower bound
+/// Casts the batch. Stores hits in the policy, or appends them to batch.hits. Returns a lower bound
 /// on the nearness of all hits of the tile before.
 float castBatch(
   const CameraFrame& frame, const TileSamples& samples, Nearest& nearest, SphereBatch& batch);
+float castBatch(
+  const CameraFrame& frame, const TileSamples& samples, Layers& layers, SphereBatch& batch);
 }
 
 #endif

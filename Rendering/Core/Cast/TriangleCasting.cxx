@@ -67,4 +67,5 @@ void TriangleCasting<Policy>::flush(TileHits<Policy>& tile, TriangleBatch& batch
 }
 
 template class TriangleCasting<Nearest>;
+template class TriangleCasting<Layers>;
 }

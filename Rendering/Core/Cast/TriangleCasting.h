@@ -11,7 +11,7 @@
 #ifndef lambent_TriangleCasting_h
 #define lambent_TriangleCasting_h
 
-#include "Nearest.h"
+#include "Layers.h"
 #include "TileHits.h"
 #include "TriangleBatch.h"
 #include "WaitingPrimitives.h"
@@ -46,6 +46,7 @@ private:
 };
 
 extern template class TriangleCasting<Nearest>;
+extern template class TriangleCasting<Layers>;
 }
 
 #endif

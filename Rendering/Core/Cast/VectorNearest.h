@@ -24,6 +24,25 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
+/// The smallest of the samples' values.
+inline float leastOf(const float* values, const TileSamples& samples)
+{
+  Floats least = hn::Set(f, std::numeric_limits<float>::infinity());
+  const Window& window = samples.window();
+  for (int i = 0; i < window.width(); i += step)
+  {
+    const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
+    const FloatMask inside = columnsBefore(columns, window.width());
+    for (int row = 0; row < window.height(); ++row)
+    {
+      const Floats value =
+        hn::LoadU(f, values + static_cast<std::size_t>(row) * samples.stride() + i);
+      least = hn::IfThenElse(inside, hn::Min(least, value), least);
+    }
+  }
+  return hn::GetLane(hn::MinOfLanes(f, least));
+}
+
 class VectorNearest
 {
 public:
@@ -54,23 +73,7 @@ public:
   }
 
   /// A lower bound on the nearness of all hits of the tile. Anything farther changes nothing.
-  float least(const TileSamples& samples) const
-  {
-    Floats least = hn::Set(f, std::numeric_limits<float>::infinity());
-    const Window& window = samples.window();
-    for (int i = 0; i < window.width(); i += step)
-    {
-      const Floats columns = hn::Add(hn::Iota(f, 0.0f), hn::Set(f, static_cast<float>(i)));
-      const FloatMask inside = columnsBefore(columns, window.width());
-      for (int row = 0; row < window.height(); ++row)
-      {
-        const Floats low =
-          hn::LoadU(f, this->Lows + static_cast<std::size_t>(row) * samples.stride() + i);
-        least = hn::IfThenElse(inside, hn::Min(least, low), least);
-      }
-    }
-    return hn::GetLane(hn::MinOfLanes(f, least));
-  }
+  float least(const TileSamples& samples) const { return leastOf(this->Lows, samples); }
 
 private:
   float* Lows;

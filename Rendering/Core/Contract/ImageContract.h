@@ -23,7 +23,9 @@
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight Ray/Triangle
  *   Intersection", JCGT 2(1), 2013, with one more condition; see intersect().
  * - The ray-sphere test is that of Hearn and Baker, as Haines et al. give it; see
- * intersectSphere().
+ *   intersectSphere().
+ * - Hits on transparent surfaces are sorted, and those on shared edges counted once, as
+ *   SortedLayers.h has it; LayerPainting.h composites them.
  *
  * A change that can alter a single bit of an image changes users' baselines. It needs a new
  * ImageContractVersion and an entry in the change log.

@@ -79,10 +79,10 @@ public:
 
   FrameSphere sphere(const SceneMesh::Part& part, std::uint32_t number) const
   {
-    const std::size_t point = number - part.firstPrimitive;
+    const std::size_t point = part.sphereOf(number);
     const FramePoint center = this->Frame.toFrame(part.points()[point]);
     return { { center.x, center.y, center.z, part.surface->radiusOf(point),
-               !part.appearance->cullFront, !part.appearance->cullBack },
+               part.hasOutside(number), part.hasInside(number) },
       this->Frame.parallel };
   }
 

@@ -67,6 +67,8 @@ public:
     return { channelOf(entry[0]), channelOf(entry[1]), channelOf(entry[2]) };
   }
 
+  double alpha(double value) const { return channelOf(this->entry(value)[3]); }
+
 private:
   double scaled(double value) const;
 

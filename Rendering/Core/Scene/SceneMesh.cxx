@@ -48,6 +48,9 @@ void SceneMesh::read(const std::vector<Surface>& surfaces, Block& block)
     block.primitives += this->Parts[k].primitiveCount;
     block.points += surface.points.size;
     block.hasSpheres = block.hasSpheres || this->Parts[k].hasSpheres();
+    block.hasTransparency = block.hasTransparency || this->Parts[k].isTransparent();
+    block.hasVaryingOpacity =
+      block.hasVaryingOpacity || (surface.colors && surface.colors->hasAlpha);
   }
   block.last = appearance;
 }
@@ -61,6 +64,8 @@ void SceneMesh::join(std::vector<Block>& blocks)
     this->Primitives += std::exchange(block.primitives, this->Primitives);
     this->Points += std::exchange(block.points, this->Points);
     this->HasSpheres = this->HasSpheres || block.hasSpheres;
+    this->HasTransparency = this->HasTransparency || block.hasTransparency;
+    this->HasVaryingOpacity = this->HasVaryingOpacity || block.hasVaryingOpacity;
     block.replacement = previous && block.first->isSameAs(*previous) ? previous : block.first;
     previous = block.last == block.first ? block.replacement : block.last;
   }

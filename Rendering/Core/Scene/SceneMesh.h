@@ -61,7 +61,7 @@ public:
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
           (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
-          (s.hasSpheres() ? Spheres : 0)))
+          (s.hasSpheres() ? Spheres : 0) | (s.isTransparent() ? Transparent : 0)))
       , Source(sourceOf(s))
     {
     }
@@ -78,6 +78,24 @@ public:
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
     bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+    bool isTransparent() const { return (this->Flags & Transparent) != 0; }
+
+    /// The sphere that a primitive, counted over all surfaces, belongs to, and which of its sides
+    /// are drawn (Surface::primitivesPerSphere()).
+    std::size_t sphereOf(std::uint32_t primitive) const
+    {
+      return (primitive - this->firstPrimitive) >> (this->isTransparent() ? 1 : 0);
+    }
+    bool hasOutside(std::uint32_t primitive) const
+    {
+      return !this->appearance->cullFront &&
+        !(this->isTransparent() && ((primitive - this->firstPrimitive) & 1) != 0);
+    }
+    bool hasInside(std::uint32_t primitive) const
+    {
+      return !this->appearance->cullBack &&
+        !(this->isTransparent() && ((primitive - this->firstPrimitive) & 1) == 0);
+    }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -103,7 +121,8 @@ public:
       CellNormals = 4,
       Culling = 8,
       Colored = 16,
-      Spheres = 32
+      Spheres = 32,
+      Transparent = 64
     };
     const void* Points;
     const void* Corners;
@@ -120,6 +139,10 @@ public:
   std::size_t pointCount() const { return this->Points; }
   /// Whether some primitives are spheres.
   bool hasSpheres() const { return this->HasSpheres; }
+  /// Whether some surfaces are transparent.
+  bool hasTransparency() const { return this->HasTransparency; }
+  /// Whether the opacity of some surfaces varies over them.
+  bool hasVaryingOpacity() const { return this->HasVaryingOpacity; }
 
   /// The part that holds a primitive.
   const Part& partOf(std::size_t primitive) const
@@ -168,7 +191,7 @@ private:
   {
     std::size_t begin, end;
     std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
-    bool hasSpheres = false;
+    bool hasSpheres = false, hasTransparency = false, hasVaryingOpacity = false;
     const Appearance* first = nullptr; ///< of the first surface, and those equal to it
     const Appearance* last = nullptr;
     const Appearance* replacement = nullptr; ///< of first, in the whole scene
@@ -202,6 +225,7 @@ private:
   std::size_t Primitives = 0;
   std::size_t Points = 0;
   bool HasSpheres = false;
+  bool HasTransparency = false, HasVaryingOpacity = false;
 };
 }
 

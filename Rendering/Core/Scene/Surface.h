@@ -35,6 +35,8 @@ struct Appearance
   double diffuse = 1.0, ambient = 0.0; ///< coefficients
   Vec3 diffuseColor{ 1.0 };            ///< also the colour of an unlit surface
   Vec3 ambientColor{ 1.0 };
+  /// 1: opaque, 0: not drawn. The alpha of colours multiplies it.
+  double opacity = 1.0;
   Shading shading = Shading::Smooth;
   bool cullFront = false; ///< front faces (counter-clockwise) are not drawn
   bool cullBack = false;  ///< back faces are not drawn
@@ -42,7 +44,7 @@ struct Appearance
   /// Compares bits: 0 differs from -0.
   bool isSameAs(const Appearance& other) const
   {
-    return std::memcmp(this, &other, 8 * sizeof(double)) == 0 && this->shading == other.shading &&
+    return std::memcmp(this, &other, 9 * sizeof(double)) == 0 && this->shading == other.shading &&
       this->cullFront == other.cullFront && this->cullBack == other.cullBack;
   }
 
@@ -58,7 +60,7 @@ struct Appearance
   }
 };
 
-static_assert(offsetof(Appearance, shading) == 8 * sizeof(double), "isSameAs() compares them");
+static_assert(offsetof(Appearance, shading) == 9 * sizeof(double), "isSameAs() compares them");
 
 /// A triangle mesh, in which triangle t has the corners 3t, 3t+1, 3t+2; or, if it has a radius,
 /// spheres, in which sphere s has its centre at point s.
@@ -108,6 +110,14 @@ struct Surface
   }
   std::size_t triangleCount() const { return this->corners.size / 3; }
   bool hasSpheres() const { return this->radius > 0.0; }
+  /// Whether something behind the surface may be seen through it.
+  bool isTransparent() const
+  {
+    return this->appearance.opacity != 1.0 || (this->colors && this->colors->hasAlpha);
+  }
+  /// A ray meets a sphere twice. Both sides are seen if it is transparent, so it has a primitive
+  /// for each: sphere s has its outside at 2 s and its inside at 2 s + 1. An opaque sphere has one.
+  std::size_t primitivesPerSphere() const { return this->isTransparent() ? 2 : 1; }
   double radiusOf(std::size_t sphere) const
   {
     return this->radii ? this->radius * this->radii[sphere] : this->radius;
@@ -115,7 +125,8 @@ struct Surface
   /// The number of primitives of the surface, which are all triangles or all spheres.
   std::size_t primitiveCount() const
   {
-    return this->hasSpheres() ? this->points.size : this->triangleCount();
+    return this->hasSpheres() ? this->points.size * this->primitivesPerSphere()
+                              : this->triangleCount();
   }
 
   /// Calls body(point) for points whose bounding box is that of the primitives [begin, end): the
@@ -124,8 +135,9 @@ struct Surface
   template <typename Body>
   void forBoundingPoints(std::size_t begin, std::size_t end, Body&& body) const
   {
-    for (std::size_t sphere = begin; this->hasSpheres() && sphere < end; ++sphere)
+    for (std::size_t k = begin; this->hasSpheres() && k < end; ++k)
     {
+      const std::size_t sphere = k / this->primitivesPerSphere();
       const double size = this->radiusOf(sphere);
       body(this->points[sphere] - Vec3(size));
       body(this->points[sphere] + Vec3(size));
@@ -142,8 +154,9 @@ struct Surface
   /// The cell of a triangle, or the number of a sphere.
   std::int64_t cellOf(std::size_t primitive) const
   {
-    return this->cells ? this->cells[primitive]
-                       : this->firstCell + static_cast<std::int64_t>(primitive);
+    const std::size_t place =
+      this->hasSpheres() ? primitive / this->primitivesPerSphere() : primitive;
+    return this->cells ? this->cells[place] : this->firstCell + static_cast<std::int64_t>(place);
   }
 };
 }

@@ -17,7 +17,7 @@ void loadSpheres(const RunRange& range, SampleBatch& batch)
     if (batch.primitives[run] != noPrimitive)
     {
       const SceneMesh::Part& part = *batch.parts[run];
-      hwy::Prefetch(part.points().at(batch.primitives[run] - part.firstPrimitive));
+      hwy::Prefetch(part.points().at(part.sphereOf(batch.primitives[run])));
     }
   }
   for (int run = range.firstRun; run < range.endRun; ++run)
@@ -27,7 +27,7 @@ void loadSpheres(const RunRange& range, SampleBatch& batch)
       continue;
     }
     const SceneMesh::Part& part = *batch.parts[run];
-    const std::size_t sphere = batch.primitives[run] - part.firstPrimitive;
+    const std::size_t sphere = part.sphereOf(batch.primitives[run]);
     const Vec3 center = part.points()[sphere];
     batch.isWanted[run] = 1.0;
     for (int axis = 0; axis < 3; ++axis)
@@ -35,7 +35,7 @@ void loadSpheres(const RunRange& range, SampleBatch& batch)
       batch.points[SphereRows::center + axis][run] = center[axis];
     }
     batch.points[SphereRows::radius][run] = part.surface->radiusOf(sphere);
-    batch.points[SphereRows::hasOutside][run] = part.appearance->cullFront ? 0.0 : 1.0;
+    batch.points[SphereRows::hasOutside][run] = part.hasOutside(batch.primitives[run]) ? 1.0 : 0.0;
   }
 }
 }

@@ -50,8 +50,7 @@ template <typename Store>
 void visitSphereAttribute(const AttributeSpan& values, const SceneMesh::Part& part,
   std::uint32_t number, const Store& store)
 {
-  const std::size_t first =
-    static_cast<std::size_t>(values.components) * (number - part.firstPrimitive);
+  const std::size_t first = static_cast<std::size_t>(values.components) * part.sphereOf(number);
   values.visit(
     [&](const auto* all)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceColor.h"
 
+#include "PointBatch.h"
 #include "RunRange.h"
 
 #include <hwy/cache_control.h>
@@ -23,27 +24,31 @@ SurfaceColor colorOf(const Appearance& appearance)
 {
   if (appearance.shading == Shading::Unlit)
   {
-    return { true, appearance.diffuseColor, Vec3(0.0) };
+    return { true, appearance.diffuseColor, Vec3(0.0), appearance.opacity };
   }
-  return { false, appearance.diffuseReflection(), appearance.ambientReflection() };
+  return { false, appearance.diffuseReflection(), appearance.ambientReflection(),
+    appearance.opacity };
 }
 
-SurfaceColor colorOf(const Appearance& appearance, const Vec3& color)
+SurfaceColor colorOf(const Appearance& appearance, const Vec3& color, double alpha)
 {
+  const double opacity = appearance.opacity * alpha;
   if (appearance.shading == Shading::Unlit)
   {
-    return { true, color, Vec3(0.0) };
+    return { true, color, Vec3(0.0), opacity };
   }
-  return { false, color * appearance.diffuse, color * appearance.ambient };
+  return { false, color * appearance.diffuse, color * appearance.ambient, opacity };
 }
 
 SurfaceColor colorOf(const Surface& surface, std::size_t primitive)
 {
   const Appearance& appearance = surface.appearance;
-  return surface.colors
-    ? colorOf(
-        appearance, surface.colors->color(static_cast<std::size_t>(surface.cellOf(primitive))))
-    : colorOf(appearance);
+  if (!surface.colors)
+  {
+    return colorOf(appearance);
+  }
+  const auto tuple = static_cast<std::size_t>(surface.cellOf(primitive));
+  return colorOf(appearance, surface.colors->color(tuple), surface.colors->alpha(tuple));
 }
 
 void loadColors(const RunRange& range, SampleBatch& batch)
@@ -75,5 +80,38 @@ void loadColors(const RunRange& range, SampleBatch& batch)
       put(color.diffuse, batch.diffuse, run);
       put(color.ambient, batch.ambient, run);
     });
+}
+
+/// The alpha that colours of points have, or numbers of points that are looked up last.
+static double alphaAt(const SceneMesh::Part& part, const ColorArray& colors,
+  std::uint32_t primitive, const PointBatch& points, int place)
+{
+  const std::size_t first = 3 * (primitive - part.firstPrimitive);
+  const auto weighted = [&](const auto& valueOf)
+  {
+    const auto at = [&](std::size_t corner) { return valueOf(part.corners()[first + corner]); };
+    return (at(0) * points.weights[0][place] + at(1) * points.weights[1][place]) +
+      at(2) * points.weights[2][place];
+  };
+  return part.colorSource() == ColorSource::MappedLast
+    ? colors.table->alpha(weighted([&](std::size_t point) { return colors.number(point); }))
+    : weighted([&](std::size_t point) { return colors.alpha(point); });
+}
+
+double opacityAt(const SampleBatch& batch, const PointBatch& points, int place)
+{
+  const std::int64_t run = batch.run[place];
+  const SceneMesh::Part& part = *batch.parts[run];
+  const ColorArray* const colors = part.hasOneColor() ? nullptr : part.surface->colors;
+  const double opacity = part.appearance->opacity;
+  if (!colors || !colors->hasAlpha)
+  {
+    return clampedOpacity(opacity);
+  }
+  const std::uint32_t primitive = batch.primitives[run];
+  const double alpha = part.colorSource() == ColorSource::Primitive
+    ? colors->alpha(static_cast<std::size_t>(part.surface->cellOf(primitive - part.firstPrimitive)))
+    : alphaAt(part, *colors, primitive, points, place);
+  return clampedOpacity(opacity * alpha);
 }
 }

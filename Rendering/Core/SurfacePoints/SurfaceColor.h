@@ -16,6 +16,7 @@
 
 namespace lambent
 {
+struct PointBatch;
 struct RunRange;
 struct SampleBatch;
 
@@ -25,11 +26,13 @@ struct SurfaceColor
   bool isUnlit;
   Vec3 diffuse; ///< rho_d; the plain colour if unlit
   Vec3 ambient; ///< rho_a; not used if unlit
+  double opacity = 1.0;
 };
 
-/// The colour that an appearance has on its own, and with a colour that replaces those it has.
+/// The colour that an appearance has on its own, and with a colour that replaces those it has, and
+/// whose alpha multiplies the opacity.
 SurfaceColor colorOf(const Appearance& appearance);
-SurfaceColor colorOf(const Appearance& appearance, const Vec3& color);
+SurfaceColor colorOf(const Appearance& appearance, const Vec3& color, double alpha = 1.0);
 
 /// The colour at a primitive that has one colour, counted in its surface.
 SurfaceColor colorOf(const Surface& surface, std::size_t primitive);
@@ -37,6 +40,17 @@ SurfaceColor colorOf(const Surface& surface, std::size_t primitive);
 /// Fills in SampleBatch::diffuse and ambient of the runs of a range that hit something, if its
 /// ColorSource is Primitive.
 void loadColors(const RunRange& range, SampleBatch& batch);
+
+/// The opacity of a sample that hits something, from 0 to 1: SurfaceColor::opacity, clamped. The
+/// parts of the batch's runs must be filled in, and, where colours of points have alpha, the
+/// weights of its surface points.
+double opacityAt(const SampleBatch& batch, const PointBatch& points, int place);
+
+/// An opacity, clamped to 0 to 1. NaN gives 0.
+inline double clampedOpacity(double opacity)
+{
+  return opacity > 0.0 ? (opacity < 1.0 ? opacity : 1.0) : 0.0;
+}
 }
 
 #endif

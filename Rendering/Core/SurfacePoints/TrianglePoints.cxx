@@ -32,11 +32,17 @@ SurfaceColor TrianglePoints::color(
     const double number =
       (colors->number(point(0)) * weights.x + colors->number(point(1)) * weights.y) +
       colors->number(point(2)) * weights.z;
-    return colorOf(surface.appearance, colors->table->color(number));
+    return colorOf(surface.appearance, colors->table->color(number),
+      colors->hasAlpha ? colors->table->alpha(number) : 1.0);
   }
+  const double alpha = colors->hasAlpha
+    ? (colors->alpha(point(0)) * weights.x + colors->alpha(point(1)) * weights.y) +
+      colors->alpha(point(2)) * weights.z
+    : 1.0;
   return colorOf(surface.appearance,
     (colors->color(point(0)) * weights.x + colors->color(point(1)) * weights.y) +
-      colors->color(point(2)) * weights.z);
+      colors->color(point(2)) * weights.z,
+    alpha);
 }
 
 double TrianglePoints::attribute(

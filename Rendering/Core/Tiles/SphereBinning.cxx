@@ -11,16 +11,18 @@ namespace
 {
 /// Copies a batch of spheres.
 template <typename Coordinate>
-void copy(const Coordinate* points, const Surface& surface, std::size_t begin, SphereBoxes& boxes)
+void copy(const Coordinate* points, const Surface& surface, std::size_t begin,
+  std::size_t perSphere, SphereBoxes& boxes)
 {
   for (int k = 0; k < boxes.count; ++k)
   {
-    const Coordinate* const point = points + 3 * (begin + k);
+    const std::size_t sphere = (begin + k) / perSphere;
+    const Coordinate* const point = points + 3 * sphere;
     for (int axis = 0; axis < 3; ++axis)
     {
       boxes.centers[axis][k] = point[axis];
     }
-    boxes.radii[k] = surface.radiusOf(begin + k);
+    boxes.radii[k] = surface.radiusOf(sphere);
   }
 }
 }
@@ -29,12 +31,14 @@ void SphereBinning::add(const SceneMesh::Part& part, std::size_t begin, std::siz
   SphereBoxes& boxes, BinningResult& result) const
 {
   const TupleSpan points = part.points();
+  const std::size_t sides = part.surface->primitivesPerSphere();
   for (std::size_t next = begin; begin < end; begin = next)
   {
     next = std::min<std::size_t>(end, begin + SphereBoxes::capacity);
     boxes.count = static_cast<int>(next - begin);
-    points.isDouble ? copy(static_cast<const double*>(points.data), *part.surface, begin, boxes)
-                    : copy(static_cast<const float*>(points.data), *part.surface, begin, boxes);
+    points.isDouble
+      ? copy(static_cast<const double*>(points.data), *part.surface, begin, sides, boxes)
+      : copy(static_cast<const float*>(points.data), *part.surface, begin, sides, boxes);
     if (this->HasBoxes)
     {
       findSphereBoxes(this->Lattice, boxes);
@@ -46,10 +50,10 @@ void SphereBinning::add(const SceneMesh::Part& part, std::size_t begin, std::siz
   }
 }
 
-void SphereBinning::insert(const SceneMesh::Part& part, std::size_t sphere,
+void SphereBinning::insert(const SceneMesh::Part& part, std::size_t primitive,
   const SphereBoxes& boxes, int place, BinningResult& result) const
 {
-  const auto number = static_cast<std::uint32_t>(part.firstPrimitive + sphere);
+  const auto number = static_cast<std::uint32_t>(part.firstPrimitive + primitive);
   if (this->HasBoxes && !std::isnan(boxes.nearest[place]))
   {
     const Window box{ boxes.i0[place], boxes.i1[place], boxes.j0[place], boxes.j1[place] };
@@ -61,9 +65,10 @@ void SphereBinning::insert(const SceneMesh::Part& part, std::size_t sphere,
                                : std::numeric_limits<float>::infinity());
     }
   }
-  else if (!isFinite(part.points()[sphere]))
+  else if (!isFinite(part.points()[part.sphereOf(number)]))
   {
-    ++result.defects.notFinite;
+    // An outside and an inside count once.
+    result.defects.notFinite += !part.isTransparent() || primitive % 2 == 0;
     result.defects.firstNotFinite = std::min(result.defects.firstNotFinite, number);
   }
   else if (boxes.radii[place] > 0.0)

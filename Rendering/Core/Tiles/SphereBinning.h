@@ -30,13 +30,13 @@ public:
   {
   }
 
-  /// Bins the spheres [begin, end) of a surface, counted in the surface.
+  /// Bins the primitives [begin, end) of a surface of spheres, counted in the surface.
   void add(const SceneMesh::Part& part, std::size_t begin, std::size_t end, SphereBoxes& boxes,
     BinningResult& result) const;
 
 private:
-  void insert(const SceneMesh::Part& part, std::size_t sphere, const SphereBoxes& boxes, int place,
-    BinningResult& result) const;
+  void insert(const SceneMesh::Part& part, std::size_t primitive, const SphereBoxes& boxes,
+    int place, BinningResult& result) const;
 
   const CameraFrame& Frame;
   const PointLattice& Lattice;

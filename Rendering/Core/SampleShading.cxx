@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SampleShading.h"
+
+#include "PointKernel.h"
+#include "ShadingKernel.h"
+
+namespace lambent
+{
+void SampleShading::shade(SampleBatch& batch, PointBatch* points) const
+{
+  RunRange range;
+  while (range.moveOn(this->Points.mesh(), batch))
+  {
+    const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
+    if (isOfPrimitives && range.isUnlit)
+    {
+      this->shadeUnlit(range, batch, points);
+      continue;
+    }
+    if (isOfPrimitives && !range.appearance)
+    {
+      loadColors(range, batch);
+    }
+    shadeSamples(this->Points, this->Light, range, batch, points);
+  }
+}
+
+void SampleShading::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const
+{
+  if (points)
+  {
+    computePoints(this->Points, range, batch, *points);
+  }
+  loadColors(range, batch);
+  for (int place = range.first; place < range.end; ++place)
+  {
+    for (int channel = 0; batch.isHit(place) && channel < 3; ++channel)
+    {
+      batch.colors[channel][place] = batch.diffuse[channel][batch.run[place]];
+    }
+  }
+}
+}
