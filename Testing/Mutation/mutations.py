@@ -86,6 +86,8 @@ BLOCKS = "Rendering/InputBlocks.cxx"
 SURFACE_FROM_VTK = "Rendering/SurfaceFromVTK.cxx"
 OUTPUT_IMAGE = "Rendering/OutputImage.cxx"
 SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
+SORTED_LAYERS = "Rendering/Core/Cast/SortedLayers.cxx"
+LAYER_PAINTING = "Rendering/Core/LayerPainting.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -528,4 +530,22 @@ MUTATIONS = [
      "the input of a block is its connection"),
     (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
      "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
+    (SORTED_LAYERS, "return a.low > b.high;\n    }", "return a.low < b.high;\n    }",
+     "ranges of layers decide their order"),
+    (SORTED_LAYERS, "(depthA == depthB && a.primitive < b.primitive)", "false",
+     "layers at the same depth are in the order of their numbers"),
+    (SORTED_LAYERS, "return isRepeated;\n  }", "return false;\n  }",
+     "a ray through an edge sees one of its triangles"),
+    (SORTED_LAYERS, "Outline{ hit.e2 == 0.0 ? t.a : t.c, t.a }", "Outline{ t.c, t.a }",
+     "a corner is not an edge"),
+    (LAYER_PAINTING, "seen[i] == noPrimitive ? batch.primitives", "true ? batch.primitives",
+     "passes show the nearest layer"),
+    (LAYER_PAINTING, "hasAlpha ? 1.0 - transmittances[i] : 1.0", "hasAlpha ? 1.0 : 1.0",
+     "alpha is what the layers hold back"),
+    (LAYER_PAINTING, "t > 0.0 ? colors[i] + b * t : colors[i]", "colors[i]",
+     "the background is seen through layers"),
+    (SURFACE_COLOR, "return clampedOpacity(opacity * alpha);", "return clampedOpacity(alpha);",
+     "alpha multiplies the opacity"),
+    (COLORS, "isAny = isAny || bytes[(k + 1) * step - 1] != 255;", "",
+     "alpha of arrays is used"),
 ]
