@@ -78,6 +78,13 @@ std::map<std::string, double> comparePictures(
         withSamples(std::string("embree/") + nameOf(grouping), samples), peers.embree().picture());
     }
   }
+  if (compared.layers)
+  {
+    peers.lambent().renderLayers();
+    pictures.write("layers/lambent", peers.lambent().picture());
+    peers.embree().traceLayers(TreeQuality::Medium);
+    compare("layers/embree/packets", peers.embree().picture());
+  }
   if (compared.openGL)
   {
     renderOurs(1);

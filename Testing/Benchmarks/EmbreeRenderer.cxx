@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmbreeRenderer.h"
 
+#include "EmbreeLayers.h"
 #include "EmbreeTile.h"
 #include "Stopwatch.h"
 
@@ -35,14 +36,18 @@ struct EmbreeRenderer::Internals
   const int width, height;
   RTCDevice device = rtcNewDevice(nullptr);
   RTCScene trees[3] = {};
+  RTCScene layerTrees[3] = {}; ///< that call a filter for each hit
 
   bool hasWidePackets() const
   {
     return rtcGetDeviceProperty(this->device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   }
 
+  RTCScene build(TreeQuality quality, RTCSceneFlags flags) const;
   template <int N>
   void traceTiles(RTCScene tree, RayGrouping grouping, const EmbreeFilm& film) const;
+  template <int N>
+  void traceLayers(RTCScene tree, unsigned char* bytes) const;
 };
 
 namespace
@@ -66,6 +71,10 @@ EmbreeRenderer::~EmbreeRenderer()
   for (TreeQuality quality : treeQualities)
   {
     this->release(quality);
+    if (this->Internal->layerTrees[static_cast<int>(quality)])
+    {
+      rtcReleaseScene(this->Internal->layerTrees[static_cast<int>(quality)]);
+    }
   }
   rtcReleaseDevice(this->Internal->device);
 }
@@ -85,24 +94,30 @@ void EmbreeRenderer::release(TreeQuality quality)
   }
 }
 
-double EmbreeRenderer::build(TreeQuality quality)
+RTCScene EmbreeRenderer::Internals::build(TreeQuality quality, RTCSceneFlags flags) const
 {
-  this->release(quality);
-  const EmbreeMesh& mesh = this->Internal->mesh;
-  const Stopwatch stopwatch;
-  RTCGeometry geometry = rtcNewGeometry(this->Internal->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  RTCGeometry geometry = rtcNewGeometry(this->device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-    mesh.points.data(), 0, 3 * sizeof(float), mesh.pointCount());
+    this->mesh.points.data(), 0, 3 * sizeof(float), this->mesh.pointCount());
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-    mesh.corners.data(), 0, 3 * sizeof(std::uint32_t), mesh.triangleCount());
+    this->mesh.corners.data(), 0, 3 * sizeof(std::uint32_t), this->mesh.triangleCount());
   rtcSetGeometryBuildQuality(geometry, embreeQuality(quality));
   rtcCommitGeometry(geometry);
-  RTCScene tree = rtcNewScene(this->Internal->device);
+  RTCScene tree = rtcNewScene(this->device);
   rtcSetSceneBuildQuality(tree, embreeQuality(quality));
+  rtcSetSceneFlags(tree, flags);
   rtcAttachGeometry(tree, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(tree);
-  this->Internal->trees[static_cast<int>(quality)] = tree;
+  return tree;
+}
+
+double EmbreeRenderer::build(TreeQuality quality)
+{
+  this->release(quality);
+  const Stopwatch stopwatch;
+  this->Internal->trees[static_cast<int>(quality)] =
+    this->Internal->build(quality, RTC_SCENE_FLAG_NONE);
   return stopwatch.seconds();
 }
 
@@ -150,5 +165,49 @@ double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping, int samp
   {
     internal.traceTiles<8>(tree, grouping, film);
   }
+  return stopwatch.seconds();
+}
+
+//------------------------------------------------------------------------------
+template <int N>
+void EmbreeRenderer::Internals::traceLayers(RTCScene tree, unsigned char* bytes) const
+{
+  using Blocks = EmbreeLayers<N>;
+  constexpr int across = Blocks::blockWidth, up = Blocks::blockHeight;
+  constexpr int rowsAtATime = 4;
+  const int rows = (this->height + up - 1) / up;
+  const auto traceRows = [&](const tbb::blocked_range<int>& range)
+  {
+    const FlushDenormals flush;
+    Blocks blocks(
+      this->mesh, this->view, this->width, this->height, static_cast<float>(layerOpacity), bytes);
+    for (int row = range.begin(); row < range.end(); ++row)
+    {
+      for (int i = 0; i < this->width; i += across)
+      {
+        blocks.render(tree, i, row * up);
+      }
+    }
+  };
+  tbb::parallel_for(
+    tbb::blocked_range<int>(0, rows, rowsAtATime), traceRows, tbb::simple_partitioner());
+}
+
+double EmbreeRenderer::traceLayers(TreeQuality quality)
+{
+  Internals& internal = *this->Internal;
+  RTCScene& tree = internal.layerTrees[static_cast<int>(quality)];
+  if (!tree)
+  {
+    tree = internal.build(quality, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  }
+  this->Picture = nullptr;
+  const Stopwatch stopwatch;
+  this->Picture = vtkSmartPointer<vtkImageData>::New();
+  this->Picture->SetDimensions(internal.width, internal.height, 1);
+  this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* const bytes = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
+  internal.hasWidePackets() ? internal.traceLayers<16>(tree, bytes)
+                            : internal.traceLayers<8>(tree, bytes);
   return stopwatch.seconds();
 }

@@ -64,6 +64,10 @@ public:
   /// rays per pixel.
   double trace(TreeQuality quality, RayGrouping grouping, int samples = 1);
 
+  /// The same with transparent surfaces: all hits of each ray, in packets. Another tree is built
+  /// before, which calls a filter for each hit.
+  double traceLayers(TreeQuality quality);
+
   vtkImageData* picture() { return this->Picture; }
 
   /// The number of rays in a packet.

@@ -14,6 +14,15 @@ LambentRenderer::LambentRenderer(const BenchmarkScene& scene)
   this->Filter->SetImageSize(scene.width, scene.height);
   this->Filter->SetCamera(scene.camera);
   this->Filter->AddLight(scene.light);
+  this->Filter->SetProperty(this->Property);
+}
+
+double LambentRenderer::renderLayers()
+{
+  this->Property->SetOpacity(layerOpacity);
+  const double seconds = this->render();
+  this->Property->SetOpacity(1.0);
+  return seconds;
 }
 
 double LambentRenderer::render(int samples)

@@ -11,6 +11,7 @@
 
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
+#include "vtkProperty.h"
 
 class LambentRenderer
 {
@@ -21,10 +22,14 @@ public:
   /// samples x samples samples per pixel. The filter is modified before, so it must render.
   double render(int samples = 1);
 
+  /// The same with transparent surfaces.
+  double renderLayers();
+
   vtkImageData* picture() { return this->Filter->GetOutput(); }
 
 private:
   vtkNew<vtkLambentRayTracer> Filter;
+  vtkNew<vtkProperty> Property;
 };
 
 enum class NormalsFilter

@@ -68,6 +68,19 @@ double OpenGLRenderer::next()
   return stopwatch.seconds();
 }
 
+double OpenGLRenderer::nextLayers()
+{
+  constexpr int peels = 1000; // more than any scene has layers
+  this->Window->SetAlphaBitPlanes(1);
+  this->Renderer->SetUseDepthPeeling(true);
+  this->Renderer->SetMaximumNumberOfPeels(peels);
+  this->Renderer->SetOcclusionRatio(0.0);
+  this->Property->SetOpacity(layerOpacity);
+  const double seconds = this->next();
+  this->Property->SetOpacity(1.0);
+  return seconds;
+}
+
 //------------------------------------------------------------------------------
 void OpenGLRenderer::open()
 {
@@ -94,6 +107,7 @@ void OpenGLRenderer::load()
   mapper->SetInputData(mesh);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
+  this->Property = actor->GetProperty();
   this->Renderer->AddActor(actor);
   this->Renderer->ResetCameraClippingRange();
 }

@@ -12,6 +12,7 @@
 #include "Scenes.h"
 
 #include "vtkImageData.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 
@@ -33,6 +34,9 @@ public:
   /// The seconds for the same mesh again.
   double next();
 
+  /// The seconds for the same mesh with transparent surfaces, by depth peeling.
+  double nextLayers();
+
   vtkImageData* picture() { return this->Picture; }
 
   /// The device, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
@@ -46,6 +50,7 @@ private:
   const BenchmarkScene& Scene;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkProperty> Property;
   vtkSmartPointer<vtkImageData> Picture;
 };
 

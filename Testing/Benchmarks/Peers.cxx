@@ -86,6 +86,16 @@ void Peers::addPictures(std::vector<Contest>& contests, int samples)
   }
 }
 
+void Peers::addLayers(std::vector<Contest>& contests)
+{
+  contests.push_back({ "layers/lambent", [this]() { return this->lambent().renderLayers(); } });
+  for (TreeQuality quality : treeQualities)
+  {
+    contests.push_back({ std::string("layers/embree/trace/") + nameOf(quality) + "/packets",
+      [this, quality]() { return this->embree().traceLayers(quality); } });
+  }
+}
+
 void Peers::addSurfaces(std::vector<Contest>& contests)
 {
   const auto add = [&](const char* name, double (ManySurfaces::*run)())
@@ -112,6 +122,7 @@ std::vector<Contest> Peers::all()
   {
     this->addPictures(contests, samples);
   }
+  this->addLayers(contests);
   const auto addNormals = [&](const char* name, NormalsFilter filter)
   {
     contests.push_back({ std::string("normals/") + name,
@@ -133,6 +144,7 @@ std::vector<Contest> Peers::all()
     contests.push_back({ "opengl/first", [this]() { return this->opengl().first(); } });
     contests.push_back({ "opengl/new-mesh", [this]() { return this->opengl().newMesh(); } });
     contests.push_back({ "opengl/next", [this]() { return this->opengl().next(); } });
+    contests.push_back({ "layers/opengl", [this]() { return this->opengl().nextLayers(); } });
   }
   return contests;
 }

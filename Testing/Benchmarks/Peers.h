@@ -11,9 +11,12 @@
  *     embree/trace/QUALITY/RAYS     single, packets, stream, packet-stream
  *     supersampling-N/lambent, supersampling-N/embree/trace/QUALITY/RAYS
  *                                   the same with N x N samples per pixel, N = 2 or 4
+ *     layers/lambent, layers/embree/trace/QUALITY/packets
+ *                                   the same with transparent surfaces: all hits of each ray
  *     opengl/first                  the first frame, with its window; needs an X server
  *     opengl/new-mesh               another mesh in the same window
  *     opengl/next                   the same mesh again
+ *     layers/opengl                 the same with transparent surfaces, by depth peeling
  *     normals/FILTER                vtkLambentNormals and its peers
  *     surfaces/inputs               vtkLambentRayTracer with each piece of the mesh as an input
  *     surfaces/executive            only VTK's executive, with as many inputs
@@ -63,6 +66,7 @@ public:
 private:
   std::vector<Contest> all();
   void addPictures(std::vector<Contest>& contests, int samples);
+  void addLayers(std::vector<Contest>& contests);
   void addSurfaces(std::vector<Contest>& contests);
 
   const BenchmarkScene& Scene;

@@ -47,6 +47,9 @@ struct BenchmarkScene
   View view() const;
 };
 
+/// The opacity of surfaces in the contests with transparency.
+constexpr double layerOpacity = 0.3;
+
 /// The names of the fixed scenes. There is also "bumps-T", a mesh of about T triangles. Any name
 /// can be followed by "@WIDTHxHEIGHT" for another size.
 std::vector<std::string> sceneNames();
