@@ -4,6 +4,7 @@
 
 #include "PointKernel.h"
 #include "ShadingKernel.h"
+#include "TextureFactors.h"
 
 namespace lambent
 {
@@ -17,7 +18,8 @@ FilmColor Painting::sampleColor(
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
-  return { this->Light.color(this->Points.at(primitive, samples.xs()[i], samples.ys()[j])), 1.0 };
+  const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
+  return { this->Light.color(point) * point.texture.color, 1.0 };
 }
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
@@ -160,16 +162,20 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
   while (range.moveOn(this->Points.mesh(), batch))
   {
     const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
-    if (isOfPrimitives && range.isUnlit)
+    if (isOfPrimitives && range.isUnlit && !range.hasTextures)
     {
       this->shadeUnlit(range, batch, points);
       continue;
     }
-    if (isOfPrimitives && !range.appearance)
+    if (isOfPrimitives && (range.isUnlit || !range.appearance))
     {
       loadColors(range, batch);
     }
     shadeSamples(this->Points, this->Light, range, batch, points);
+    if (range.hasTextures)
+    {
+      multiplyByTextures(range, batch);
+    }
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {

@@ -61,7 +61,7 @@ public:
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
           (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
-          (s.hasSpheres() ? Spheres : 0)))
+          (s.hasSpheres() ? Spheres : 0) | (s.texture && !s.hasSpheres() ? Textured : 0)))
       , Source(sourceOf(s))
     {
     }
@@ -78,6 +78,7 @@ public:
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
     bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+    bool hasTexture() const { return (this->Flags & Textured) != 0; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -103,7 +104,8 @@ public:
       CellNormals = 4,
       Culling = 8,
       Colored = 16,
-      Spheres = 32
+      Spheres = 32,
+      Textured = 64
     };
     const void* Points;
     const void* Corners;

@@ -11,6 +11,7 @@
 #include "AttributeSpan.h"
 #include "ColorArray.h"
 #include "Spans.h"
+#include "Texture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -83,6 +84,8 @@ struct Surface
   /// Colours of points or cells, which replace the diffuse and the ambient colour, or nullptr.
   /// Spheres can only have those of their points.
   const ColorArray* colors = nullptr;
+  /// The texture of triangles, or nullptr; spheres have none.
+  const TextureMap* texture = nullptr;
 
   // Origin.
   /// The cell of each triangle. If nullptr, the cell is firstCell + triangle. A sphere has the

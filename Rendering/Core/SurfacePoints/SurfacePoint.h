@@ -20,6 +20,7 @@ struct SurfacePoint
   Vec3 normal;   ///< of any length, pointing to the side that is lit
   Vec3 weights;  ///< barycentric coordinates: of attributes at the primitive's points
   SurfaceColor color;
+  TextureColor texture{}; ///< multiplies the colour that the light model gives
 };
 }
 
