@@ -78,6 +78,11 @@ SPHERE_CASTING = "Rendering/Core/Cast/SphereCastingKernel.cxx"
 SPHERE_POINTS = "Rendering/Core/SurfacePoints/SpherePoints.cxx"
 LOADING_SPHERES = "Rendering/Core/SurfacePoints/LoadSpheres.cxx"
 VECTOR_SPHERE_POINTS = "Rendering/Core/SurfacePoints/VectorSpherePoints.h"
+LOOKUP_TABLE = "Rendering/LookupTableFromVTK.cxx"
+TEXTURE = "Rendering/Core/Scene/Texture.cxx"
+TEXTURE_FACTORS = "Rendering/Core/SurfacePoints/TextureFactors.cxx"
+TEXTURE_FROM_VTK = "Rendering/TextureFromVTK.cxx"
+RAY_TRACER_INPUTS = "Rendering/vtkLambentRayTracerInputs.cxx"
 SPHERES_FROM_VTK = "Rendering/SpheresFromVTK.cxx"
 TRANSFORM = "Rendering/Core/Scene/Transform.h"
 COFACTORS = "Rendering/Core/Scene/Transform.cxx"
@@ -229,7 +234,7 @@ MUTATIONS = [
     (FILM, "(row * n + n / 2) * stride", "(row * n) * stride", "triangle ids are those of the middle sample"),
     (RUN_RANGE, "if (!current || !current->holds(primitive))", "if (!current)",
      "each run has its own surface"),
-    (PAINTING, "if (isOfPrimitives && !range.appearance)", "if (false)",
+    (PAINTING, "if (isOfPrimitives && (range.isUnlit || !range.appearance))", "if (false)",
      "surfaces shaded together keep their colours"),
     (RUN_RANGE, "|| (!this->isUnlit && other.isSmooth != this->isSmooth)", "",
      "flat and smooth surfaces are not shaded together"),
@@ -451,8 +456,23 @@ MUTATIONS = [
     (COLORS_OF_INPUTS, "this->Low = std::min(this->Low, range[0]);", "this->Low = range[0];",
      "blocks share one range"),
     (COLORS_OF_INPUTS, " && !input.color;", ";", "a block's own colour comes first"),
-    (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
+    (LOOKUP_TABLE, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
     (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
+    # Textures.
+    (TEXTURE, "TextureWrap::MirroredRepeat;\n  const double period = isMirrored ? 2.0 * n : n;",
+     "TextureWrap::MirroredRepeat;\n  const double period = n;", "mirrored images alternate"),
+    (TEXTURE, "place < 0.0 ? place + period : place", "place", "images repeat to the left"),
+    (TEXTURE, "s * image.width - 0.5", "s * image.width", "the middle of a pixel has its colour"),
+    (TEXTURE, "x <= 0.04045 ? x / 12.92 :", "", "dark sRGB is linear"),
+    (TEXTURE_FACTORS, "components > 1 ? at(1) : 0.0", "at(components > 1 ? 1 : 0)",
+     "a missing second coordinate is 0"),
+    (RUN_RANGE, "other.hasTextures != this->hasTextures", "false",
+     "textured surfaces are shaded apart from others"),
+    (SHADING_KERNEL, "if (!range.appearance || range.isUnlit)", "if (!range.appearance)",
+     "unlit surfaces with a texture are not lit"),
+    (TEXTURE_FROM_VTK, "n -= n > 1 ? 1 : 0;", "", "pixels may be the cells of an image"),
+    (RAY_TRACER_INPUTS, "*time = std::max(*time, ofImage);", "",
+     "pictures follow the filters that produce their textures"),
     # Spheres.
     (CONTRACT, "const double nearest = b / a;", "const double nearest = b;",
      "rays of any direction pass a centre"),
