@@ -33,6 +33,7 @@ SceneList surfaceScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();
+SceneList textureScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.
