@@ -193,36 +193,17 @@ void ColorsFromVTK::map(vtkScalarsToColors* table, SpansFromVTK& spans)
     this->mapAll(table, spans);
     return;
   }
-  isPlain ? this->useTable(plain) : this->sample(table);
-  this->Result.table = &*this->Table;
+  if (isPlain)
+  {
+    this->Plain.emplace(plain, this->Range);
+    this->Result.table = &this->Plain->table();
+  }
+  else
+  {
+    this->sample(table);
+    this->Result.table = &*this->Table;
+  }
   this->Result.isMappedLast = isMappedLast;
-}
-
-void ColorsFromVTK::useTable(vtkLookupTable* table)
-{
-  table->Build();
-  const auto count = static_cast<std::size_t>(table->GetNumberOfTableValues());
-  if (count == 0)
-  {
-    throw std::runtime_error(
-      "the lookup table has no colours. Call vtkLookupTable::SetNumberOfTableValues().");
-  }
-  this->Entries.assign(table->GetPointer(0), table->GetPointer(0) + 4 * count);
-  this->addEntry(table->GetNanColor());
-  this->addEntry(table->GetBelowRangeColor());
-  this->addEntry(table->GetAboveRangeColor());
-  this->Table.emplace(this->Entries.data(), count, this->Range[0], this->Range[1],
-    table->GetScale() == VTK_SCALE_LOG10);
-  const unsigned char* const special = this->Entries.data() + 4 * count;
-  this->Table->setNotANumber(special);
-  if (table->GetUseBelowRangeColor())
-  {
-    this->Table->setBelow(special + 4);
-  }
-  if (table->GetUseAboveRangeColor())
-  {
-    this->Table->setAbove(special + 8);
-  }
 }
 
 /// Makes a table of the colours in the middle of many small intervals.
@@ -273,12 +254,5 @@ void ColorsFromVTK::mapAll(vtkScalarsToColors* table, SpansFromVTK& spans)
 void ColorsFromVTK::addEntry(const unsigned char color[4])
 {
   this->Entries.insert(this->Entries.end(), color, color + 4);
-}
-
-void ColorsFromVTK::addEntry(const double color[4])
-{
-  unsigned char bytes[4];
-  vtkLookupTable::GetColorAsUnsignedChars(color, bytes);
-  this->addEntry(bytes);
 }
 }

@@ -14,12 +14,12 @@
 
 #include "ColorArray.h"
 #include "InputColors.h"
+#include "LookupTableFromVTK.h"
 #include "SpansFromVTK.h"
 
 #include <optional>
 #include <vector>
 
-class vtkLookupTable;
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
@@ -50,19 +50,18 @@ private:
   void findArray(vtkPolyData* input, SpansFromVTK& spans);
   void findRange(vtkScalarsToColors* own);
   void map(vtkScalarsToColors* table, SpansFromVTK& spans);
-  void useTable(vtkLookupTable* table);
   void sample(vtkScalarsToColors* table);
   void mapAll(vtkScalarsToColors* table, SpansFromVTK& spans);
   void findAlpha();
   void addEntry(const unsigned char color[4]);
-  void addEntry(const double color[4]);
 
   const InputColors& Settings;
   vtkDataArray* Array = nullptr;
   double Range[2] = { 0.0, 1.0 };
   vtkSmartPointer<vtkUnsignedCharArray> Mapped; ///< if the whole array was mapped
+  std::optional<LookupTableFromVTK> Plain;
   std::vector<unsigned char> Entries;
-  std::optional<ColorTable> Table;
+  std::optional<ColorTable> Table; ///< if a table is sampled
   ColorArray Result;
 };
 }

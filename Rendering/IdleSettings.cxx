@@ -8,6 +8,7 @@
 #include "InputName.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
+#include "TexturesOfInputs.h"
 
 #include "vtkCellData.h"
 #include "vtkLight.h"
@@ -52,7 +53,7 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
   add(property->GetInterpolation() == VTK_PBR,
     "SetInterpolationToPBR() only selects smooth shading. Call SetInterpolationToPhong() instead.");
   add(property->GetNumberOfTextures() > 0,
-    "SetTexture() has no effect. Call SetColor() and RemoveAllTextures().");
+    "SetTexture() has no effect. Call SetInputTexture() and RemoveAllTextures().");
 }
 
 /// Names several things in a few words, given the name of the first.
@@ -263,6 +264,10 @@ std::vector<std::string> findIdleSettings(const SceneSettings& settings)
   addNormalSettings(messages, settings);
   addLights(messages, settings);
   addBackground(messages, settings);
+  for (const std::string& message : findIdleTextures(settings))
+  {
+    messages.push_back(message);
+  }
   for (const std::string& message : describeMissing(settings))
   {
     messages.push_back(message);

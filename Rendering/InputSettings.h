@@ -19,6 +19,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 
 #include <functional>
 #include <map>
@@ -35,6 +36,7 @@ struct InputSetting
   vtkSmartPointer<vtkMatrix4x4> Transform;
   vtkSmartPointer<vtkCompositeDataDisplayAttributes> BlockAttributes;
   InputColors Colors;
+  vtkSmartPointer<vtkTexture> Texture;
   SphereSettings Spheres;
 };
 

@@ -129,6 +129,11 @@ void InputSurfaces::addColors(std::size_t k, const InputColors& settings)
   forInput(this->Inputs[k], [&]() { this->Surfaces[k]->addColors(settings); });
 }
 
+void InputSurfaces::addTexture(std::size_t k, const Texture& texture)
+{
+  forInput(this->Inputs[k], [&]() { this->Surfaces[k]->addTexture(texture); });
+}
+
 void InputSurfaces::addAttributes(const std::vector<SceneSettings::PassArray>& arrays)
 {
   for (std::size_t attribute = 0; attribute < arrays.size(); ++attribute)

@@ -34,6 +34,9 @@ public:
   /// Gives surface k the colours of these settings, which must outlive this object.
   void addColors(std::size_t k, const InputColors& settings);
 
+  /// Gives surface k a texture, which must outlive this object, and its texture coordinates.
+  void addTexture(std::size_t k, const Texture& texture);
+
   /// Gives each surface its arrays, in this order. All inputs that have an array must have the same
   /// number of components.
   void addAttributes(const std::vector<SceneSettings::PassArray>& arrays);

@@ -20,6 +20,9 @@ struct vtkLambentRayTracer::Internals
   vtkNew<vtkLightCollection> Lights;
   lambent::adapters::InputSettings Inputs;
 
+  /// While modification times are computed. A texture may show the picture of the filter itself.
+  bool IsComputingMTime = false;
+
   /// Adds the meshes of a connection to the scene.
   void addInput(vtkDataObject* data, int connection, lambent::adapters::SceneSettings& scene) const;
 };

@@ -144,9 +144,14 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
   this->Surfaces.addNormals(this->Settings.usePointNormals,
     this->Settings.splitting ? this->Settings.featureAngle : smoothEverywhere, parallel);
   this->Colors = colorsOfInputs(this->Settings.inputs);
+  this->Textures.emplace(this->Settings.inputs);
   for (std::size_t k = 0; k < this->Colors.size(); ++k)
   {
     this->Surfaces.addColors(k, this->Colors[k]);
+    if (const Texture* const texture = this->Textures->of(k))
+    {
+      this->Surfaces.addTexture(k, *texture);
+    }
   }
   this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();

@@ -9,6 +9,9 @@
 
 #include "InputSurfaces.h"
 #include "SceneSettings.h"
+#include "TexturesOfInputs.h"
+
+#include <optional>
 
 namespace lambent::adapters
 {
@@ -36,6 +39,7 @@ private:
   const SceneSettings& Settings;
   InputSurfaces Surfaces;
   std::vector<InputColors> Colors; ///< of the inputs
+  std::optional<TexturesOfInputs> Textures;
   SpansFromVTK BackgroundSpans;
   Scene Description;
 };

@@ -26,6 +26,7 @@ class vtkImageData;
 class vtkLight;
 class vtkPolyData;
 class vtkProperty;
+class vtkTexture;
 
 namespace lambent::adapters
 {
@@ -46,6 +47,7 @@ struct SceneSettings
     vtkPolyData* mesh = nullptr;
     vtkProperty* property = nullptr; ///< none: that of all inputs
     InputColors colors;
+    vtkTexture* texture = nullptr;
     SphereSettings spheres;
     int connection = 0;
     vtkIdType block = -1;          ///< flat index; -1: the input is not composite

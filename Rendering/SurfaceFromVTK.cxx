@@ -121,6 +121,26 @@ void SurfaceFromVTK::addColors(const InputColors& settings)
   }
 }
 
+void SurfaceFromVTK::addTexture(const Texture& texture)
+{
+  vtkDataArray* const coordinates = this->Input->GetPointData()->GetTCoords();
+  const vtkIdType expected = this->Input->GetNumberOfPoints();
+  const int components = coordinates->GetNumberOfComponents();
+  if (coordinates->GetNumberOfTuples() != expected || components < 1 || components > 3)
+  {
+    std::ostringstream text;
+    text << "the texture coordinates, point array " << describe(coordinates) << ", have "
+         << coordinates->GetNumberOfTuples() << " tuples of " << components
+         << " components, but there are " << expected
+         << " points, each of which needs a tuple of 1 to 3. Compute them again, for instance with "
+            "vtkTextureMapToPlane, or call SetInputTexture() with nullptr.";
+    throw std::runtime_error(text.str());
+  }
+  this->Textured = std::make_unique<const TextureMap>(
+    TextureMap{ texture, this->Spans.attribute(coordinates, false) });
+  this->Result.texture = this->Textured.get();
+}
+
 void SurfaceFromVTK::addAttribute(const SceneSettings::PassArray& wanted)
 {
   vtkDataArray* const array = findArray(this->Input, wanted);

@@ -50,6 +50,9 @@ public:
   /// Sets the colours of points or cells. The settings must outlive this object.
   void addColors(const InputColors& settings);
 
+  /// Sets a texture and the texture coordinates of the polydata, which must have some.
+  void addTexture(const Texture& texture);
+
   /// Adds the array of that name, or, if the polydata has none, an empty attribute.
   void addAttribute(const SceneSettings::PassArray& array);
 
@@ -81,7 +84,8 @@ private:
   CornerNormals Normals;                       ///< if they are computed
   UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
-  std::unique_ptr<ColorsFromVTK> Colors; ///< if the scalars are visible
+  std::unique_ptr<ColorsFromVTK> Colors;      ///< if the scalars are visible
+  std::unique_ptr<const TextureMap> Textured; ///< if it has a texture
 };
 }
 

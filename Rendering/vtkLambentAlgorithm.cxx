@@ -32,12 +32,26 @@ namespace
 {
 /// How much of the whole is done when there is a scene with normals, roughly.
 constexpr double sceneShare = 0.3;
+
+/// Sets a flag for as long as it exists.
+struct ScopedFlag
+{
+  bool& flag;
+  explicit ScopedFlag(bool& f)
+    : flag(f)
+  {
+    this->flag = true;
+  }
+  ~ScopedFlag() { this->flag = false; }
+  ScopedFlag(const ScopedFlag&) = delete;
+};
 }
 
 struct vtkLambentAlgorithm::Internals
 {
   std::vector<SceneSettings::PassArray> PassArrays;
   NewMessages Warnings;
+  bool IsExecuting = false; ///< Executives do not prevent a request within a request.
 };
 
 //------------------------------------------------------------------------------
@@ -182,6 +196,14 @@ int vtkLambentAlgorithm::RequestData(
     output->Initialize(); // a piece without pixels
     return 1;
   }
+  if (this->Internal->IsExecuting)
+  {
+    vtkErrorMacro("The picture is requested while it is rendered. If it is the image of one of its "
+                  "own textures, give the texture another image.");
+    output->Initialize();
+    return 0;
+  }
+  const ScopedFlag executing(this->Internal->IsExecuting);
   try
   {
     this->MakePicture(inputs, outInfo, output);

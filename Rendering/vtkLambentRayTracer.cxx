@@ -22,6 +22,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <exception>
@@ -131,6 +133,16 @@ vtkMTimeType vtkLambentRayTracer::GetMTime()
     cover(own.second.Colors.lookupTable);
     cover(own.second.Transform);
     cover(own.second.BlockAttributes);
+    if (vtkTexture* const texture = own.second.Texture)
+    {
+      cover(texture);
+      cover(texture->GetTransform());
+      cover(texture->GetLookupTable());
+      // Not GetInput(), which would ask the filters that produce the image for their times.
+      cover(texture->GetNumberOfInputConnections(0) > 0
+          ? vtkDataObject::GetData(texture->GetInputInformation())
+          : nullptr);
+    }
   }
   cover(this->Internal->Lights);
   for (vtkLight* light : vtk::Range(this->Internal->Lights.Get()))

@@ -58,12 +58,13 @@
  * settings that do not depend on where the scene comes from.
  *
  * Bad input: errors are a block that contains itself, a polygon or strip that uses a point
- * that does not exist, normals, radii, colours or ghost arrays of the wrong length, radii that are
- * negative or not finite, a transform that cannot be used (SetInputTransform()), an image size
- * below 1 or too large for the memory, a view angle outside (0, 180) degrees, a view-up parallel to
- * the view direction, and settings that are not finite. They name the cause and the remedy, and the
- * output is empty. Cells and spheres with points that are not finite are skipped, with one warning.
- * Without any triangles or spheres the image shows the background.
+ * that does not exist, normals, radii, colours, texture coordinates or ghost arrays of the wrong
+ * length, radii that are negative or not finite, a transform that cannot be used
+ * (SetInputTransform()), an image size below 1 or too large for the memory, a view angle outside
+ * (0, 180) degrees, a view-up parallel to the view direction, and settings that are not finite.
+ * They name the cause and the remedy, and the output is empty. Cells and spheres with points that
+ * are not finite are skipped, with one warning. Without any triangles or spheres the image shows
+ * the background.
  *
  * @warning
  * Not all settings of VTK's objects have an effect. The image depends on vtkCamera's
@@ -72,10 +73,10 @@
  * projection, view shear and explicit projection matrices are not supported. It depends on
  * vtkProperty's diffuse and ambient colours and coefficients, Interpolation, Lighting,
  * Opacity, FrontfaceCulling and BackfaceCulling, but not on wireframe, points, specular
- * terms, textures and edges. A setting without effect causes a warning, once for as long
- * as it stays; this includes FeatureAngle and Splitting if they are changed although no
- * input needs computed normals. Shading multiplies up to six lengths, so coordinates and
- * distances must lie between about 1e-50 and 1e50.
+ * terms, textures by name (SetInputTexture() sets one) and edges. A setting without effect causes a
+ * warning, once for as long as it stays; this includes FeatureAngle and Splitting if they are
+ * changed although no input needs computed normals. Shading multiplies up to six lengths, so
+ * coordinates and distances must lie between about 1e-50 and 1e50.
  *
  * @par Thanks:
  * Ray-triangle test: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle
@@ -105,6 +106,7 @@ class vtkLightCollection;
 class vtkMatrix4x4;
 class vtkProperty;
 class vtkScalarsToColors;
+class vtkTexture;
 
 class VTKLAMBENT_EXPORT vtkLambentRayTracer : public vtkLambentAlgorithm
 {
@@ -296,6 +298,37 @@ public:
 
   ///@{
   /**
+   * A texture of one input connection, as vtkActor's. It is shared with the caller, and follows its
+   * connection as the property does. Its image is brought up to date when the picture is rendered.
+   * The image covers the unit square of the points' texture coordinates
+   * (vtkPointData::GetTCoords(), 1 to 3 components, of which the first two are used), which are
+   * interpolated across a face. As with VTK's OpenGL mapper, the colour of the texture multiplies
+   * the colour of the lit surface, its colour in the property or array and all its light alike;
+   * with Lighting off and a white surface, the texture is seen unchanged. Its alpha
+   * multiplies the opacity.
+   *
+   * It has vtkTexture's Interpolate, Wrap (with BorderColor), Transform (affine),
+   * UseSRGBColorSpace (of unsigned char), ColorMode and LookupTable. As there, unsigned char is
+   * colours, and all else is mapped, unless ColorMode says otherwise: direct scalars make colours
+   * of unsigned short and float with three or four components, too. Images are not reduced
+   * where they are small (Mipmap); SetSupersampling() averages. The blending mode and
+   * ShowTexturesOnBackface have no effect, with a warning, nor have textures on spheres.
+   *
+   * A texture coordinate that is not finite selects the first row or column of the image, or its
+   * border colour. Errors are missing texture coordinates (of a composite input: if no block has
+   * some; blocks that have none look as without the texture) and those of the wrong length; a cube
+   * map, a missing, empty or three-dimensional image, one of more than four components of colours,
+   * and a transform that is not affine. An input without faces needs no texture coordinates.
+   * Default: none (nullptr).
+   *
+   * @note Do not connect the texture to the output of this same filter.
+   */
+  virtual void SetInputTexture(int connection, vtkTexture* texture);
+  vtkTexture* GetInputTexture(int connection);
+  ///@}
+
+  ///@{
+  /**
    * Draw a sphere of this radius, in world units, at each point of one input, used by cells or
    * not. A transform moves the points and does not change the radius. The input's polygons and
    * strips are then not drawn. These are true spheres: their outlines are round at any size. Their
@@ -373,10 +406,16 @@ public:
 
   /**
    * The latest modification time of this filter, the camera, the lights (with their
-   * transform matrices), the properties, the transforms, the block attributes and the lookup
-   * tables.
+   * transform matrices), the properties, the transforms, the block attributes, the lookup
+   * tables, and the textures with their transforms, lookup tables and images.
    */
   vtkMTimeType GetMTime() override;
+
+  /**
+   * Includes the filters that produce the images of textures.
+   */
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, int port, vtkMTimeType* time) override;
 
 protected:
   vtkLambentRayTracer();

@@ -7,9 +7,12 @@
 #include "TransformFromVTK.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkExecutive.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <string>
@@ -25,6 +28,7 @@ void vtkLambentRayTracer::Internals::addInput(
   input.connection = connection;
   input.transform = transformFromVTK(setting.Transform, connection);
   input.colors = setting.Colors;
+  input.texture = setting.Texture;
   input.spheres = setting.Spheres;
   addBlocks(input, data, setting.BlockAttributes, scene);
 }
@@ -193,6 +197,52 @@ const char* vtkLambentRayTracer::GetInputSphereRadiusArray(int connection)
 }
 
 //------------------------------------------------------------------------------
+void vtkLambentRayTracer::SetInputTexture(int connection, vtkTexture* texture)
+{
+  this->ChangeInput(
+    connection, "SetInputTexture", [&](InputSetting& setting) { setting.Texture = texture; });
+}
+
+vtkTexture* vtkLambentRayTracer::GetInputTexture(int connection)
+{
+  return this->Internal->Inputs.of(connection).Texture;
+}
+
+// The filters that produce the images of textures are not upstream of this filter. So their
+// modification times are added here.
+int vtkLambentRayTracer::ComputePipelineMTime(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs, int port, vtkMTimeType* time)
+{
+  if (!this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time))
+  {
+    return 0;
+  }
+  if (this->Internal->IsComputingMTime)
+  {
+    return 1;
+  }
+  this->Internal->IsComputingMTime = true;
+  bool isDone = true;
+  for (const auto& own : this->Internal->Inputs.all())
+  {
+    vtkTexture* const texture = own.second.Texture;
+    if (!texture || texture->GetNumberOfInputConnections(0) == 0)
+    {
+      continue;
+    }
+    int producerPort = 0;
+    vtkExecutive* const producer = texture->GetInputAlgorithm(0, 0, producerPort)->GetExecutive();
+    vtkMTimeType ofImage = 0;
+    isDone = isDone &&
+      producer->ComputePipelineMTime(request, producer->GetInputInformation(),
+        producer->GetOutputInformation(), producerPort, &ofImage);
+    *time = std::max(*time, ofImage);
+  }
+  this->Internal->IsComputingMTime = false;
+  return isDone ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
 // The settings of a connection stay with it.
 void vtkLambentRayTracer::SetInputConnection(int port, vtkAlgorithmOutput* input)
 {
@@ -246,6 +296,7 @@ void vtkLambentRayTracer::PrintInputs(ostream& os, vtkIndent indent)
          << indent << "InputInterpolateScalarsBeforeMapping " << number << ": "
          << (colors.interpolateScalarsBeforeMapping ? "On" : "Off") << "\n";
     }
+    printObject("InputTexture " + number, own.second.Texture);
     if (own.second.Spheres.areOn())
     {
       const std::string& array = own.second.Spheres.radiusArray;

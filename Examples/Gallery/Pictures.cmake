@@ -19,5 +19,6 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     Passes
     SharpEdges
     Spheres
+    Textures
     Unlit)
 endif ()

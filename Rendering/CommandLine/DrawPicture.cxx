@@ -52,11 +52,17 @@ void LapNormals(vtkLambentRayTracer* tracer, Stopwatch& stopwatch)
   tracer->AddObserver(vtkCommand::ProgressEvent, observer);
 }
 
-void WarnIfNothingIsSeen(
-  const Options& options, const Meshes& meshes, vtkImageData* picture, VtkMessages& messages)
+void WarnIfNothingIsSeen(const Options& options, const Meshes& meshes, bool areColored,
+  vtkImageData* picture, VtkMessages& messages)
 {
-  const std::string reason =
-    options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  std::string reason = options.quiet ? std::string() : WhyNothingIsSeen(options, meshes, picture);
+  if (!reason.empty() && areColored)
+  {
+    // Black materials are no mistake of the options.
+    const auto plain = MakeScene(options, meshes);
+    plain->Update();
+    reason = WhyNothingIsSeen(options, meshes, plain->GetOutput());
+  }
   messages.DropWarnings(); // from rendering again to find the reason
   if (!reason.empty())
   {
@@ -82,11 +88,14 @@ std::string InWordsOfOptions(const std::string& error)
 
 } // namespace
 
-Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* background,
-  VtkMessages& messages, Progress& progress, Stopwatch& stopwatch)
+Drawing DrawPicture(const Options& options, const Meshes& meshes,
+  const std::vector<MeshLooks>& looks, vtkImageData* background, VtkMessages& messages,
+  Progress& progress, Stopwatch& stopwatch)
 {
   progress.Begin("rendering");
-  const auto tracer = MakeScene(options, meshes);
+  const MaterialInputs inputs(meshes, looks);
+  const auto tracer = MakeScene(options, inputs.Inputs());
+  inputs.Apply(options, tracer);
   tracer->SetBackgroundImage(background);
   RequestPasses(options.passes, meshes, tracer);
   LapNormals(tracer, stopwatch);
@@ -102,7 +111,8 @@ Drawing DrawPicture(const Options& options, const Meshes& meshes, vtkImageData* 
   progress.Erase();
   messages.FlushWarnings("");
   vtkImageData* const picture = tracer->GetOutput();
-  WarnIfNothingIsSeen(options, meshes, picture, messages);
+  inputs.RestoreIds(picture);
+  WarnIfNothingIsSeen(options, meshes, inputs.AreColored(), picture, messages);
   PixelIds ids;
   if (isCompared)
   {

@@ -9,6 +9,7 @@
 #define DrawPicture_h
 
 #include "ChangedCells.h"
+#include "MaterialInputs.h"
 #include "Options.h"
 
 #include "vtkSmartPointer.h"
@@ -32,10 +33,11 @@ struct Drawing
   PixelIds ids;
 };
 
-/// Renders the meshes. The background image may be null. Warns if no surface is visible. Throws
-/// Failure.
+/// Renders the meshes with their looks. The background image may be null. Warns if no surface is
+/// visible. Throws Failure.
 Drawing DrawPicture(const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
-  vtkImageData* background, VtkMessages& messages, Progress& progress, Stopwatch& stopwatch);
+  const std::vector<MeshLooks>& looks, vtkImageData* background, VtkMessages& messages,
+  Progress& progress, Stopwatch& stopwatch);
 
 } // namespace lambent::command
 

@@ -41,7 +41,9 @@ namespace
 using namespace lambent::command;
 using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
 
-Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progress)
+/// Also reads the looks of each mesh.
+Meshes ReadMeshes(
+  const Options& options, std::vector<MeshLooks>& looks, VtkMessages& messages, Progress& progress)
 {
   std::optional<ContourValue> contour = options.contour;
   if (contour)
@@ -52,6 +54,8 @@ Meshes ReadMeshes(const Options& options, VtkMessages& messages, Progress& progr
   for (const std::string& path : options.inputs)
   {
     meshes.push_back(ReadSurface(path, messages, progress, contour));
+    looks.push_back(
+      ShowsMaterials(options) ? ReadLooks(meshes.back(), path, messages, progress) : MeshLooks());
     progress.Erase();
     messages.FlushWarnings("'" + path + "': ");
   }
@@ -188,7 +192,8 @@ bool Draw(Options options, VtkMessages& messages)
   options.supersampling = SupersamplingOf(options);
 
   Stopwatch stopwatch;
-  const Meshes meshes = ReadMeshes(options, messages, progress);
+  std::vector<MeshLooks> looks;
+  const Meshes meshes = ReadMeshes(options, looks, messages, progress);
   DropIdleFeatureAngle(options, meshes);
   vtkSmartPointer<vtkImageData> background;
   if (!options.backgroundImage.empty())
@@ -197,7 +202,8 @@ bool Draw(Options options, VtkMessages& messages)
     DropIdleBackground(options, background);
   }
   stopwatch.Lap("reading");
-  const Drawing drawing = DrawPicture(options, meshes, background, messages, progress, stopwatch);
+  const Drawing drawing =
+    DrawPicture(options, meshes, looks, background, messages, progress, stopwatch);
   stopwatch.Lap("rendering");
   if (!options.output.empty())
   {

@@ -25,11 +25,11 @@ FilmColor LayerPainting::sampleColor(
   {
     const std::uint32_t primitive = memory.sorted.primitive(sample, k);
     const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
-    const double opacity = clampedOpacity(point.color.opacity);
+    const double opacity = point.opacity();
     if (opacity > 0.0)
     {
       seen = seen == noPrimitive ? primitive : seen;
-      color += this->Light.color(point) * (transmittance * opacity);
+      color += this->Light.color(point) * point.texture.color * (transmittance * opacity);
       transmittance = transmittance * (1.0 - opacity);
     }
   }

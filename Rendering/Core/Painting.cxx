@@ -14,7 +14,8 @@ FilmColor Painting::sampleColor(
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
-  return { this->Light.color(this->Points.at(primitive, samples.xs()[i], samples.ys()[j])), 1.0 };
+  const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
+  return { this->Light.color(point) * point.texture.color, 1.0 };
 }
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const

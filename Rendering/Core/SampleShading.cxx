@@ -4,6 +4,7 @@
 
 #include "PointKernel.h"
 #include "ShadingKernel.h"
+#include "TextureFactors.h"
 
 namespace lambent
 {
@@ -13,16 +14,20 @@ void SampleShading::shade(SampleBatch& batch, PointBatch* points) const
   while (range.moveOn(this->Points.mesh(), batch))
   {
     const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
-    if (isOfPrimitives && range.isUnlit)
+    if (isOfPrimitives && range.isUnlit && !range.hasTextures)
     {
       this->shadeUnlit(range, batch, points);
       continue;
     }
-    if (isOfPrimitives && !range.appearance)
+    if (isOfPrimitives && (range.isUnlit || !range.appearance))
     {
       loadColors(range, batch);
     }
     shadeSamples(this->Points, this->Light, range, batch, points);
+    if (range.hasTextures)
+    {
+      multiplyByTextures(range, batch);
+    }
   }
 }
 

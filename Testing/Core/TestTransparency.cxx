@@ -240,7 +240,7 @@ TEST(Transparency, CompositesAllHitsOfEachRay)
       for (const auto& [depth, primitive] : hits)
       {
         const SurfacePoint point = points.at(primitive, x, y);
-        const double opacity = std::min(std::max(point.color.opacity, 0.0), 1.0);
+        const double opacity = point.opacity();
         color = left > 0.0 && opacity > 0.0 ? color + light.color(point) * (left * opacity) : color;
         left *= 1.0 - opacity;
       }

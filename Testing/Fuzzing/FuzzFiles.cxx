@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The command's own readers, for PLY, STL, OBJ and PNM, and for TIFF with libtiff: the result is a
-// Failure, or a valid mesh or image. Its check of BMP images either throws a Failure or accepts the
-// file.
+// The command's own readers, for PLY, STL, OBJ with MTL, and PNM, and for TIFF with libtiff: the
+// result is a Failure, or a valid mesh, image or list of materials. Its check of BMP images either
+// throws a Failure or accepts the file.
 #include "FuzzInput.h"
 #include "NamelessFile.h"
 
 #include "CheckBmp.h"
 #include "CheckCells.h"
+#include "FileBytes.h"
 #include "Messages.h"
+#include "ParseMtl.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
 #include "ReadPnm.h"
@@ -23,6 +25,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -94,6 +97,19 @@ void checkPnm(vtkImageData* image)
   require(range[0] >= 0, "no pixel is below black");
 }
 
+void check(const std::vector<Material>& materials)
+{
+  for (const Material& material : materials)
+  {
+    for (const double channel : material.diffuse.value_or(std::array<double, 3>{ 0, 0, 0 }))
+    {
+      require(channel >= 0 && channel <= 1, "colours are from 0 to 1");
+    }
+    require(
+      std::isfinite(material.scale[0]) && std::isfinite(material.offset[1]), "numbers are finite");
+  }
+}
+
 /// Whether libtiff needs little memory for the file. The command limits that of its child process.
 bool isSmall(const std::string& path)
 {
@@ -129,6 +145,11 @@ void read(std::string_view text, const std::string& path)
   else if (start == "BM")
   {
     CheckBmp(path);
+  }
+  else if (text.substr(0, 6) == "newmtl")
+  {
+    const FileBytes file(path); // a zero byte follows them
+    check(ParseMtl(file.view()));
   }
   else if (text.substr(0, 3) == "ply")
   {

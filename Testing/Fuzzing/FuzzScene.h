@@ -8,6 +8,7 @@
 #define FuzzScene_h
 
 #include "FuzzInput.h"
+#include "FuzzTexture.h"
 
 #include "Scene.h"
 
@@ -231,8 +232,8 @@ struct FuzzScene
     }
   }
 
-  /// Turns some surfaces into spheres. Call it last: then inputs that end before mean the same as
-  /// without spheres.
+  /// Turns some surfaces into spheres. Call it after everything else: then inputs that end before
+  /// mean the same as without spheres.
   void addSpheres(FuzzInput& input)
   {
     for (lambent::Surface& surface : this->scene.surfaces)
@@ -254,8 +255,22 @@ struct FuzzScene
     }
   }
 
+  /// Gives some surfaces textures. Call it after addSpheres().
+  void addTextures(FuzzInput& input)
+  {
+    for (lambent::Surface& surface : this->scene.surfaces)
+    {
+      if (input.choice(4) == 3)
+      {
+        this->Textures.push_back(std::make_unique<FuzzTexture>(input, surface.points.size));
+        surface.texture = &this->Textures.back()->map;
+      }
+    }
+  }
+
 private:
   std::vector<std::vector<double>> Radii;
+  std::vector<std::unique_ptr<FuzzTexture>> Textures;
 };
 
 #endif

@@ -78,6 +78,11 @@ SPHERE_CASTING = "Rendering/Core/Cast/SphereCastingKernel.cxx"
 SPHERE_POINTS = "Rendering/Core/SurfacePoints/SpherePoints.cxx"
 LOADING_SPHERES = "Rendering/Core/SurfacePoints/LoadSpheres.cxx"
 VECTOR_SPHERE_POINTS = "Rendering/Core/SurfacePoints/VectorSpherePoints.h"
+LOOKUP_TABLE = "Rendering/LookupTableFromVTK.cxx"
+TEXTURE = "Rendering/Core/Scene/Texture.cxx"
+TEXTURE_FACTORS = "Rendering/Core/SurfacePoints/TextureFactors.cxx"
+TEXTURE_FROM_VTK = "Rendering/TextureFromVTK.cxx"
+RAY_TRACER_INPUTS = "Rendering/vtkLambentRayTracerInputs.cxx"
 SPHERES_FROM_VTK = "Rendering/SpheresFromVTK.cxx"
 TRANSFORM = "Rendering/Core/Scene/Transform.h"
 COFACTORS = "Rendering/Core/Scene/Transform.cxx"
@@ -87,6 +92,7 @@ SURFACE_FROM_VTK = "Rendering/SurfaceFromVTK.cxx"
 OUTPUT_IMAGE = "Rendering/OutputImage.cxx"
 SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
 SORTED_LAYERS = "Rendering/Core/Cast/SortedLayers.cxx"
+SAMPLE_SHADING = "Rendering/Core/SampleShading.cxx"
 LAYER_PAINTING = "Rendering/Core/LayerPainting.cxx"
 
 MUTATIONS = [
@@ -231,7 +237,7 @@ MUTATIONS = [
     (FILM, "(row * n + n / 2) * stride", "(row * n) * stride", "triangle ids are those of the middle sample"),
     (RUN_RANGE, "if (!current || !current->holds(primitive))", "if (!current)",
      "each run has its own surface"),
-    (PAINTING, "if (isOfPrimitives && !range.appearance)", "if (false)",
+    (SAMPLE_SHADING, "if (isOfPrimitives && (range.isUnlit || !range.appearance))", "if (false)",
      "surfaces shaded together keep their colours"),
     (RUN_RANGE, "|| (!this->isUnlit && other.isSmooth != this->isSmooth)", "",
      "flat and smooth surfaces are not shaded together"),
@@ -419,7 +425,7 @@ MUTATIONS = [
     (TILE_TASKS, "background.i1 = tile.i1;", "", "a window of background includes its last tile"),
     (TILE_TASKS, "tile.i0 == background.i1 && tile.j0", "tile.j0",
      "a window of background contains no other tiles"),
-    (TILE_TASKS, "this->Caster.merge(hits, *kept);", "", "a tile keeps the hits of all rounds"),
+    (TILE_TASKS, "this->merge(hits, *kept);", "", "a tile keeps the hits of all rounds"),
     (FILL_KERNEL, "std::numeric_limits<Value>::quiet_NaN()", "Value(0)", "passes without a hit are NaN"),
     (SCENE_MESH, "block.last == block.first ? block.replacement : block.last", "block.last",
      "blocks of surfaces with one appearance"),
@@ -436,9 +442,9 @@ MUTATIONS = [
      "numbers without a logarithm have the first colour"),
     (COLOR_ARRAY, "sum += number * number;", "sum = number * number;", "all components count"),
     (COLOR_TABLE_HEADER, "k / 255.0", "k / 256.0", "255 is 1"),
-    (SURFACE_COLOR, "surface.colors->color(static_cast<std::size_t>(surface.cellOf(primitive)))",
+    (SURFACE_COLOR, "surface.colors->color(tuple)",
      "surface.colors->color(primitive)", "colours are those of cells"),
-    (SURFACE_COLOR, "color * appearance.ambient }", "appearance.ambientReflection() }",
+    (SURFACE_COLOR, "color * appearance.ambient, opacity }", "appearance.ambientReflection(), opacity }",
      "colours of arrays replace the ambient colour"),
     (TRIANGLE_POINTS, "colors->number(point(2)) * weights.z;", "colors->number(point(2)) * weights.y;",
      "numbers are interpolated"),
@@ -453,8 +459,23 @@ MUTATIONS = [
     (COLORS_OF_INPUTS, "this->Low = std::min(this->Low, range[0]);", "this->Low = range[0];",
      "blocks share one range"),
     (COLORS_OF_INPUTS, " && !input.color;", ";", "a block's own colour comes first"),
-    (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
+    (LOOKUP_TABLE, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
     (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
+    # Textures.
+    (TEXTURE, "TextureWrap::MirroredRepeat;\n  const double period = isMirrored ? 2.0 * n : n;",
+     "TextureWrap::MirroredRepeat;\n  const double period = n;", "mirrored images alternate"),
+    (TEXTURE, "place < 0.0 ? place + period : place", "place", "images repeat to the left"),
+    (TEXTURE, "s * image.width - 0.5", "s * image.width", "the middle of a pixel has its colour"),
+    (TEXTURE, "x <= 0.04045 ? x / 12.92 :", "", "dark sRGB is linear"),
+    (TEXTURE_FACTORS, "components > 1 ? at(1) : 0.0", "at(components > 1 ? 1 : 0)",
+     "a missing second coordinate is 0"),
+    (RUN_RANGE, "other.hasTextures != this->hasTextures", "false",
+     "textured surfaces are shaded apart from others"),
+    (SHADING_KERNEL, "if (!range.appearance || range.isUnlit)", "if (!range.appearance)",
+     "unlit surfaces with a texture are not lit"),
+    (TEXTURE_FROM_VTK, "n -= n > 1 ? 1 : 0;", "", "pixels may be the cells of an image"),
+    (RAY_TRACER_INPUTS, "*time = std::max(*time, ofImage);", "",
+     "pictures follow the filters that produce their textures"),
     # Spheres.
     (CONTRACT, "const double nearest = b / a;", "const double nearest = b;",
      "rays of any direction pass a centre"),
@@ -481,14 +502,14 @@ MUTATIONS = [
     (SPHERE_BOXES, "hn::Sub(c.z, larger), nothing", "c.z, nothing", "a sphere is nearer than its centre"),
     (SPHERE_BINNING, "!box.empty() && boxes.radii[place] > 0.0", "!box.empty()",
      "spheres of no size are not drawn"),
-    (SPHERE_BINNING, "++result.defects.notFinite;", "", "centres that are not finite are counted"),
+    (SPHERE_BINNING, "result.defects.notFinite += !part.isTransparent() || primitive % 2 == 0;", "", "centres that are not finite are counted"),
     (SPHERE_CASTING, "hn::Or(isUnranged, hn::Gt(isOpen, hn::Zero(d)))", "isUnranged",
      "hits whose order is open are compared by depth"),
     (SPHERE_POINTS, "hit.isInside && this->TwoSided ? -normal : normal", "normal",
      "normals turn inside a sphere"),
     (VECTOR_SPHERE_POINTS, "this->IsTwoSided ? negatedWhere(hit.isInside, normal) : normal", "normal",
      "normals turn inside a sphere, in kernels"),
-    (LOADING_SPHERES, "part.appearance->cullFront ? 0.0 : 1.0", "1.0",
+    (LOADING_SPHERES, "part.hasOutside(batch.primitives[run]) ? 1.0 : 0.0", "1.0",
      "kernels know that the outside is not drawn"),
     (RUN_RANGE, "other.hasSpheres != this->hasSpheres", "false", "ranges have one kind of primitive"),
     (SURFACE, " &&\n      !(this->hasSpheres() && this->attributes[index].isPerCell);", ";",
@@ -544,8 +565,7 @@ MUTATIONS = [
      "alpha is what the layers hold back"),
     (LAYER_PAINTING, "t > 0.0 ? colors[i] + b * t : colors[i]", "colors[i]",
      "the background is seen through layers"),
-    (SURFACE_COLOR, "return clampedOpacity(opacity * alpha);", "return clampedOpacity(alpha);",
-     "alpha multiplies the opacity"),
+    (SURFACE_COLOR, "    opacity = opacity *\n", "    opacity =\n", "alpha multiplies the opacity"),
     (COLORS, "isAny = isAny || bytes[(k + 1) * step - 1] != 255;", "",
      "alpha of arrays is used"),
 ]

@@ -6,6 +6,7 @@
 #include "CellView.h"
 #include "TriangleNormals.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -41,6 +42,32 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   {
     this->setColors(body);
   }
+  if (body.texture.exists())
+  {
+    this->setTexture(body.texture);
+  }
+}
+
+void BodySurface::setTexture(const StageTexture& texture)
+{
+  this->Pixels = texture.pixels.memory();
+  this->Places = texture.coordinates.memory();
+  lambent::Texture& result = this->Map.texture;
+  result.pixels = { this->Pixels.data(), texture.pixels.type, texture.pixels.components, false };
+  result.width = texture.width;
+  result.height = texture.height;
+  result.wrap = texture.wrap;
+  result.isInterpolated = texture.isInterpolated;
+  result.isSRGB = texture.isSRGB;
+  result.border.color = texture.border;
+  for (int row = 0; row < 2; ++row)
+  {
+    std::copy_n(texture.matrix[row], 3, result.matrix[row]);
+  }
+  this->Map.coordinates = { this->Places.data(), texture.coordinates.type,
+    texture.coordinates.components, false };
+  result.hasAlpha = result.isAnyTransparent();
+  this->Result.texture = &this->Map;
 }
 
 void BodySurface::setColors(const Body& body)
@@ -255,7 +282,7 @@ Body BodySurface::withOwnCorners(const Body& body, const lambent::Parallel& para
   result.pointNormals.clear();
   result.pointGhosts.clear();
   result.cellGhosts.clear();
-  if (!body.arrays.empty())
+  if (!body.arrays.empty() || body.texture.exists())
   {
     throw std::runtime_error("give bodies with arrays point normals, or shade them flat");
   }

@@ -46,6 +46,7 @@ private:
   lambent::CheckedFaces faces(const lambent::Parallel& parallel) const;
   void setPoints(const Body& body, const lambent::Parallel& parallel);
   void setColors(const Body& body);
+  void setTexture(const StageTexture& texture);
   void setCells(const Body& body, const lambent::Parallel& parallel);
   void setSpheres(const Body& body);
   void chooseTriangles(const Body& body, const lambent::Parallel& parallel);
@@ -81,6 +82,8 @@ private:
   std::vector<unsigned char> ColorValues;
   std::unique_ptr<lambent::ColorTable> Table;
   lambent::ColorArray Colors;
+  std::vector<unsigned char> Pixels, Places;
+  lambent::TextureMap Map;
   lambent::Surface Result;
 };
 

@@ -7,7 +7,7 @@ SceneList allScenes()
   SceneList all;
   for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
          colorScenes(), lightScenes(), surfaceScenes(), inputScenes(), crowdScenes(),
-         sphereScenes(), transparencyScenes(), hostileScenes() })
+         sphereScenes(), textureScenes(), transparencyScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

@@ -34,6 +34,7 @@ SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();
 SceneList transparencyScenes();
+SceneList textureScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

@@ -148,6 +148,43 @@ StageColors& Body::colorBy(const std::string& name, bool isPerCell)
   return this->colors;
 }
 
+StageTexture& StageTexture::wrapped(lambent::TextureWrap how)
+{
+  this->wrap = how;
+  return *this;
+}
+
+StageTexture& StageTexture::interpolated()
+{
+  this->isInterpolated = true;
+  return *this;
+}
+
+StageTexture& Body::cover(int w, int h, int components, lambent::AttributeType type)
+{
+  StageTexture& result = this->texture;
+  result.width = w;
+  result.height = h;
+  result.pixels = { "Pixels", false, components, type, {} };
+  const bool isFloat = type == lambent::AttributeType::Float;
+  for (int pixel = 0; pixel < w * h; ++pixel)
+  {
+    const int i = pixel % w, j = pixel / w;
+    for (int k = 0; k < components; ++k)
+    {
+      const int byte = (i / 2 + j / 2) % 2 == 0 ? 255 - 16 * k : (23 * i + 41 * j * (k + 1)) % 256;
+      result.pixels.values.push_back(isFloat ? byte / 256.0 : byte);
+    }
+  }
+  result.coordinates = { "Places", false, 2, lambent::AttributeType::Float, {} };
+  for (const Vec3& p : this->shape.points)
+  {
+    result.coordinates.values.push_back(rounded(p.x, lambent::AttributeType::Float));
+    result.coordinates.values.push_back(rounded(p.y + 0.5 * p.z, lambent::AttributeType::Float));
+  }
+  return result;
+}
+
 Stage::Stage()
 {
   this->look({ 2.0, 1.5, 4.0 }, Vec3(0.0));

@@ -55,6 +55,23 @@ struct StageColors
   const unsigned char* special(int k) const { return &this->entries[4 * (this->entryCount() + k)]; }
 };
 
+/// The texture of a body.
+struct StageTexture
+{
+  StageArray pixels; ///< without values if there is none
+  int width = 0, height = 0;
+  lambent::TextureWrap wrap = lambent::TextureWrap::Repeat;
+  bool isInterpolated = false;
+  bool isSRGB = false;
+  Vec3 border{ 0.0 };
+  double matrix[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
+  StageArray coordinates; ///< of the points
+
+  bool exists() const { return !this->pixels.values.empty(); }
+  StageTexture& wrapped(lambent::TextureWrap how);
+  StageTexture& interpolated();
+};
+
 /// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
 {
@@ -69,6 +86,7 @@ struct Body
   lambent::Weighting weighting = lambent::Weighting::Angle;
   std::vector<StageArray> arrays; ///< attributes
   StageColors colors;
+  StageTexture texture;
   lambent::Appearance appearance;
   lambent::Transform transform;
   std::vector<unsigned char> pointGhosts, cellGhosts; ///< VTK's flags, or none
@@ -101,6 +119,8 @@ struct Body
   Body& pointArray(const std::string& name, int components, lambent::AttributeType type);
   /// Takes the colours from an array that is added before or afterwards.
   StageColors& colorBy(const std::string& name, bool isPerCell);
+  /// Sets a texture of so many pixels, with coordinates computed from those of the points.
+  StageTexture& cover(int w, int h, int components, lambent::AttributeType type);
   /// Adds a cell array whose values vary from cell to cell.
   Body& cellArray(const std::string& name, int components, lambent::AttributeType type);
 };

@@ -17,6 +17,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
+#include "vtkTexture.h"
+#include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -120,6 +122,10 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
     array.isPerCell ? result->GetCellData()->AddArray(toArray(array))
                     : result->GetPointData()->AddArray(toArray(array));
   }
+  if (body.texture.exists())
+  {
+    result->GetPointData()->SetTCoords(toArray(body.texture.coordinates));
+  }
   addGhosts(body.pointGhosts, result->GetPointData());
   addGhosts(body.cellGhosts, result->GetCellData());
   return result;
@@ -154,6 +160,40 @@ vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage)
   image->SetDimensions(stage.backgroundWidth, stage.backgroundHeight, 1);
   image->GetPointData()->SetScalars(toArray(stage.backgroundImage));
   return image;
+}
+
+vtkSmartPointer<vtkTexture> toTexture(const StageTexture& texture)
+{
+  if (!texture.exists())
+  {
+    return nullptr;
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(texture.width, texture.height, 1);
+  image->GetPointData()->SetScalars(toArray(texture.pixels));
+  auto result = vtkSmartPointer<vtkTexture>::New();
+  result->SetInputData(image);
+  result->SetColorModeToDirectScalars();
+  result->SetInterpolate(texture.isInterpolated);
+  result->SetUseSRGBColorSpace(texture.isSRGB);
+  result->SetWrap(texture.wrap == lambent::TextureWrap::Repeat ? vtkTexture::Repeat
+      : texture.wrap == lambent::TextureWrap::ClampToEdge      ? vtkTexture::ClampToEdge
+      : texture.wrap == lambent::TextureWrap::MirroredRepeat   ? vtkTexture::MirroredRepeat
+                                                               : vtkTexture::ClampToBorder);
+  const auto channel = [&](int k) { return static_cast<float>(texture.border[k]); };
+  result->SetBorderColor(channel(0), channel(1), channel(2), 1.0f);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 2; ++row)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      matrix->SetElement(row, k == 2 ? 3 : k, texture.matrix[row][k]);
+    }
+  }
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  result->SetTransform(transform);
+  return result;
 }
 
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)

@@ -19,6 +19,7 @@ class vtkLookupTable;
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProperty;
+class vtkTexture;
 
 /// The point array with the radii of spheres.
 constexpr const char* radiiName = "Radii";
@@ -29,6 +30,8 @@ vtkSmartPointer<vtkMatrix4x4> toMatrix(const lambent::Transform& transform);
 vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
+/// nullptr if there is none.
+vtkSmartPointer<vtkTexture> toTexture(const StageTexture& texture);
 vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors);
 vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);

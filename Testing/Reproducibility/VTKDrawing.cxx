@@ -19,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
+#include "vtkTexture.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -133,6 +134,7 @@ void addBodies(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRa
     tracer->SetInputSphereRadius(input, body->radius);
     tracer->SetInputSphereRadiusArray(input, body->radii.empty() ? nullptr : radiiName);
     addColors(body->colors, input, tracer);
+    tracer->SetInputTexture(input, toTexture(body->texture));
     ++body;
   }
   if (bodies.empty())

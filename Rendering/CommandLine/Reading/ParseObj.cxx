@@ -43,6 +43,7 @@ private:
   void ParseTextureCoordinate();
   void ParseNormal();
   void ParseSmoothing();
+  void ParseMaterial();
   Corner TakeCorner();
   bool TakeCell(CellLists& cells, std::size_t least);
   void ParseFace();
@@ -54,8 +55,10 @@ private:
   ObjIndices NormalIndices{ "normal", "vn" };
   std::vector<Corner> Corners; ///< of the current line
   std::unordered_map<std::int64_t, std::int32_t> GroupOfNumber;
+  std::unordered_map<std::string, std::int32_t> NumberOfMaterial;
   std::int32_t Group = 0;
   bool HasGroups = false;
+  std::int32_t Material = ObjMaterials::none;
 };
 
 ObjContent ObjParser::Parse(const std::function<void(double)>& progress)
@@ -80,7 +83,7 @@ ObjContent ObjParser::Parse(const std::function<void(double)>& progress)
   return std::move(this->Content);
 }
 
-/// Other lines (names of groups and materials, free-form geometry) are skipped.
+/// Other lines (names of groups, free-form geometry) are skipped.
 void ObjParser::ParseLine(std::string_view keyword)
 {
   if (keyword == "v")
@@ -110,6 +113,14 @@ void ObjParser::ParseLine(std::string_view keyword)
   else if (keyword == "s")
   {
     this->ParseSmoothing();
+  }
+  else if (keyword == "usemtl")
+  {
+    this->ParseMaterial();
+  }
+  else if (keyword == "mtllib")
+  {
+    this->Content.materials.libraries.push_back(this->Cursor.TakeRest());
   }
   else if (keyword == "surf")
   {
@@ -208,6 +219,20 @@ void ObjParser::ParseSmoothing()
   }
 }
 
+/// Without a name, faces have no material from here on.
+void ObjParser::ParseMaterial()
+{
+  std::vector<std::string>& names = this->Content.materials.names;
+  const std::string name = this->Cursor.TakeRest();
+  const auto [found, isNew] =
+    this->NumberOfMaterial.emplace(name, static_cast<std::int32_t>(names.size()));
+  this->Material = name.empty() ? ObjMaterials::none : found->second;
+  if (isNew)
+  {
+    names.push_back(name);
+  }
+}
+
 /// v, v/, v//, v/t, v/t/, v//n or v/t/n
 Corner ObjParser::TakeCorner()
 {
@@ -296,6 +321,12 @@ void ObjParser::ParseFace()
   {
     this->Content.groupOfFace.resize(facesBefore, 0);
     this->Content.groupOfFace.push_back(this->Group);
+  }
+  std::vector<std::int32_t>& materials = this->Content.materials.ofFace;
+  if (this->Material != ObjMaterials::none || !materials.empty())
+  {
+    materials.resize(facesBefore, ObjMaterials::none);
+    materials.push_back(this->Material);
   }
 }
 

@@ -15,6 +15,7 @@
 #define ParseObj_h
 
 #include "CellLists.h"
+#include "ObjMaterials.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,8 @@ struct ObjContent
   /// The groups are numbered from 1 in the order of their first occurrence.
   std::vector<std::int32_t> groupOfFace;
   std::int32_t numberOfGroups = 0;
+
+  ObjMaterials materials;
 
   std::size_t cellsOfTooFewPoints = 0; ///< skipped: faces of 1 or 2 points, lines of 1
   std::size_t freeFormSurfaces = 0;    ///< skipped

@@ -255,6 +255,7 @@ vtkSmartPointer<vtkPolyData> ReadObj(
   mesh->SetLines(MakeCellArray(obj.lines));
   mesh->SetVerts(MakeCellArray(obj.vertices));
   SetPointData(mesh, normals, texture, obj.colors);
+  StoreMaterials(obj.materials, mesh);
   return mesh;
 }
 

@@ -32,10 +32,13 @@
  *   points would break the smoothness of computed normals; there "TCoords" is omitted if any point
  *   would need two.
  *
+ * - `mtllib` and `usemtl`: the names of the files and of each face's material become field data
+ *   (ObjMaterials.h). The files are not read here.
+ *
  * Indices may be negative, and may name items later in the file. An index of 0, or one that names
  * an item that does not exist, is a Failure. Lines end with LF, CR LF or CR; a backslash joins
- * lines; a UTF-8 byte order mark is skipped. Everything else (groups, materials, curves) is
- * skipped; a warning counts `surf`.
+ * lines; a UTF-8 byte order mark is skipped. Everything else (groups, curves) is skipped; a warning
+ * counts `surf`.
  */
 
 #ifndef ReadObj_h

@@ -102,6 +102,21 @@ std::string_view TextCursor::TakeWord()
   return { begin, static_cast<std::size_t>(this->At - begin) };
 }
 
+std::string TextCursor::TakeRest()
+{
+  while (IsBlank(*this->At))
+  {
+    ++this->At;
+  }
+  const char* const begin = this->At;
+  const char* behind = begin; // the last character that is not blank
+  for (; this->At != this->End && !IsLineEnd(*this->At); ++this->At)
+  {
+    behind = IsBlank(*this->At) ? behind : this->At + 1;
+  }
+  return { begin, behind };
+}
+
 /// Some systems write NaN as "1.#IND" and the like; there the '#' does not start a comment.
 bool TextCursor::IsBehindNumber(const char* at) const
 {

@@ -43,6 +43,8 @@ public:
 
   /// Reads a word, up to a blank or the end of the line; empty at the end of a line.
   std::string_view TakeWord();
+  /// Reads the rest of the line, with blanks and '#' within it, but without those around it.
+  std::string TakeRest();
   /// Reads a number and skips the blanks after it. Throws Failure with the line if there is none.
   double TakeNumber();
   /// Like TakeNumber(), but throws Failure if the number is not finite.

@@ -20,6 +20,7 @@
  *   CastingKernel.h).
  * - Smooth surfaces without normals get those of CornerNormals.h, rounded to float. The points and
  *   normals of transformed surfaces are those of Transform.h.
+ * - The colours of textures are those of Texture.h. They multiply what the light model gives.
  * - The ray-triangle test is that of Woop, Benthin and Wald, "Watertight Ray/Triangle
  *   Intersection", JCGT 2(1), 2013, with one more condition; see intersect().
  * - The ray-sphere test is that of Hearn and Baker, as Haines et al. give it; see

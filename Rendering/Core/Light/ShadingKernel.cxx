@@ -83,15 +83,19 @@ HWY_INLINE void shadeRange(const SurfacePoints& points, const LightModel& light,
     {
       store(point, eye, isWanted, *result, place);
     }
+    if (range.hasTextures)
+    {
+      store(point.weights, isWanted, batch.weights, place);
+    }
   };
   withPoints<HasSpheres>(points, range, batch,
     [&](const auto& vectorPoints)
     {
-      if (!range.appearance)
+      if (!range.appearance || range.isUnlit)
       {
         shadeColored(vectorPoints, light, range, keep, batch);
       }
-      else if (result)
+      else if (result || range.hasTextures)
       {
         shadeUniform(vectorPoints, light, range, keep, batch);
       }

@@ -18,8 +18,9 @@
 namespace lambent
 {
 /// Computes the colours of the samples in a range, and stores their surface points, too, unless
-/// `result` is nullptr. If the range has several colours and their source is the primitives,
-/// loadColors() must have been called.
+/// `result` is nullptr. If the range has several colours or is unlit, and their source is the
+/// primitives, loadColors() must have been called. Textures are not applied, but the weights that
+/// they need are stored in the batch.
 void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result = nullptr);
 }

@@ -61,7 +61,8 @@ public:
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
           (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
-          (s.hasSpheres() ? Spheres : 0) | (s.isTransparent() ? Transparent : 0)))
+          (s.hasSpheres() ? Spheres : 0) | (s.isTransparent() ? Transparent : 0) |
+          (s.texture && !s.hasSpheres() ? Textured : 0)))
       , Source(sourceOf(s))
     {
     }
@@ -78,6 +79,7 @@ public:
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
     bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+    bool hasTexture() const { return (this->Flags & Textured) != 0; }
     bool isTransparent() const { return (this->Flags & Transparent) != 0; }
 
     /// The sphere that a primitive, counted over all surfaces, belongs to, and which of its sides
@@ -122,7 +124,8 @@ public:
       Culling = 8,
       Colored = 16,
       Spheres = 32,
-      Transparent = 64
+      Transparent = 64,
+      Textured = 128
     };
     const void* Points;
     const void* Corners;

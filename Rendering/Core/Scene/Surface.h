@@ -11,6 +11,7 @@
 #include "AttributeSpan.h"
 #include "ColorArray.h"
 #include "Spans.h"
+#include "Texture.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -85,6 +86,8 @@ struct Surface
   /// Colours of points or cells, which replace the diffuse and the ambient colour, or nullptr.
   /// Spheres can only have those of their points.
   const ColorArray* colors = nullptr;
+  /// The texture of triangles, or nullptr; spheres have none.
+  const TextureMap* texture = nullptr;
 
   // Origin.
   /// The cell of each triangle. If nullptr, the cell is firstCell + triangle. A sphere has the
@@ -113,7 +116,8 @@ struct Surface
   /// Whether something behind the surface may be seen through it.
   bool isTransparent() const
   {
-    return this->appearance.opacity != 1.0 || (this->colors && this->colors->hasAlpha);
+    return this->appearance.opacity != 1.0 || (this->colors && this->colors->hasAlpha) ||
+      (this->texture && this->texture->texture.hasAlpha && !this->hasSpheres());
   }
   /// A ray meets a sphere twice. Both sides are seen if it is transparent, so it has a primitive
   /// for each: sphere s has its outside at 2 s and its inside at 2 s + 1. An opaque sphere has one.

@@ -18,6 +18,7 @@ struct RunRange
   int first = 0, end = 0;
   bool hasSpheres = false; ///< all primitives are spheres; otherwise all are triangles
   bool isUnlit = false;
+  bool hasTextures = false;               ///< all runs that hit something have one, or none has
   bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
   bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
   const SceneMesh::Part* part = nullptr;  ///< if all runs have the same

@@ -62,6 +62,9 @@ struct SampleBatch
   alignas(64) double coefficients[2][room] = {};
 
   // One value per sample.
+  /// Barycentric coordinates of samples that hit a surface with a texture.
+  alignas(64) double weights[3][places] = {};
+  double textureAlphas[places] = {}; ///< 1 where the texture's alpha is not used
   /// Red, green and blue, and alpha if the image has it.
   alignas(64) double colors[4][places] = {};
 

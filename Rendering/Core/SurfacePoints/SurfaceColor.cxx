@@ -103,15 +103,16 @@ double opacityAt(const SampleBatch& batch, const PointBatch& points, int place)
   const std::int64_t run = batch.run[place];
   const SceneMesh::Part& part = *batch.parts[run];
   const ColorArray* const colors = part.hasOneColor() ? nullptr : part.surface->colors;
-  const double opacity = part.appearance->opacity;
-  if (!colors || !colors->hasAlpha)
+  double opacity = part.appearance->opacity;
+  if (colors && colors->hasAlpha)
   {
-    return clampedOpacity(opacity);
+    const std::uint32_t primitive = batch.primitives[run];
+    opacity = opacity *
+      (part.colorSource() == ColorSource::Primitive
+          ? colors->alpha(
+              static_cast<std::size_t>(part.surface->cellOf(primitive - part.firstPrimitive)))
+          : alphaAt(part, *colors, primitive, points, place));
   }
-  const std::uint32_t primitive = batch.primitives[run];
-  const double alpha = part.colorSource() == ColorSource::Primitive
-    ? colors->alpha(static_cast<std::size_t>(part.surface->cellOf(primitive - part.firstPrimitive)))
-    : alphaAt(part, *colors, primitive, points, place);
-  return clampedOpacity(opacity * alpha);
+  return clampedOpacity(part.hasTexture() ? opacity * batch.textureAlphas[place] : opacity);
 }
 }

@@ -20,6 +20,9 @@ struct SurfacePoint
   Vec3 normal;   ///< of any length, pointing to the side that is lit
   Vec3 weights;  ///< barycentric coordinates: of attributes at the primitive's points
   SurfaceColor color;
+  TextureColor texture{}; ///< multiplies the colour that the light model gives, and the opacity
+
+  double opacity() const { return clampedOpacity(this->color.opacity * this->texture.alpha); }
 };
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrianglePoints.h"
 
+#include "TextureFactors.h"
+
 #include <limits>
 
 namespace lambent
@@ -15,7 +17,8 @@ SurfacePoint TrianglePoints::at(std::uint32_t number, double x, double y) const
   const Vec3 weights(hit.e0 / hit.sum, hit.e1 / hit.sum, hit.e2 / hit.sum);
   return { this->Mesh.frame().fromEye(x, y, hit.depth), hit.depth,
     this->normal(*part.surface, triangle, hit), weights,
-    this->color(*part.surface, triangle, weights) };
+    this->color(*part.surface, triangle, weights),
+    part.hasTexture() ? textureAt(*part.surface, triangle, weights) : TextureColor() };
 }
 
 SurfaceColor TrianglePoints::color(
