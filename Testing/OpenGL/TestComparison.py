@@ -35,13 +35,13 @@ class Pictures(unittest.TestCase):
         self.scene = BY_NAME["light-several"]
         self.pictures = rendered(self.scene)
 
-    def expect(self, same, other, thin=False):
+    def expect(self, same, other, thin=""):
         for one, two in ((self.pictures, other), (other, self.pictures)):
             self.assertEqual(compare(one, two, BACKGROUNDS, thin).is_same, same)
 
     def test_equal_pictures_are_the_same(self):
         self.expect(True, self.pictures)
-        self.expect(True, self.pictures, thin=True)
+        self.expect(True, self.pictures, thin="lines")
         result = compare(self.pictures, self.pictures, BACKGROUNDS)
         shown = (self.pictures[0] != self.pictures[1]).any(-1)
         self.assertEqual(result.covered, shown.size - np.count_nonzero(shown))
@@ -86,9 +86,9 @@ class Pictures(unittest.TestCase):
             return result.astype(np.uint8)
 
         self.pictures = line(100, (200, 40, 40))
-        self.expect(True, line(100, (205, 45, 38)), thin=True)
-        self.expect(False, line(100, (240, 40, 40)), thin=True)
-        self.expect(False, line(103, (200, 40, 40)), thin=True)
+        self.expect(True, line(100, (205, 45, 38)), thin="lines")
+        self.expect(False, line(100, (240, 40, 40)), thin="lines")
+        self.expect(False, line(103, (200, 40, 40)), thin="lines")
 
 
 class FakeOpenGL:

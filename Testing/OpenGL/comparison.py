@@ -17,16 +17,20 @@ passes close to the centre of a pixel. This happens to few pixels: at most SHARE
 that is shifted by half a pixel fails.
 
 Thin scenes, which consist of lines and small points, are all edges. More of these may differ, but one of the
-neighbours must have the same colour.
+neighbours must have the same colour. Blended scenes are those where OpenGL mixes the colour of thin lines with that
+of what is behind. More pixels may differ there, too, and by twice as much: a line that passes half-way between two
+pixels has at most half of its colour in each.
 """
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 TOLERANCE = 2  # of 255: both sides round, and OpenGL computes in float
 CONTRAST = 16  # there is an edge where neighbours differ by more than this
 MARGIN = 0.5  # of the range of the colours around a pixel, added on both of its sides
+BLENDED_MARGIN = 1.0
 SHARE = 0.02  # of the pixels of edges that may differ
 THIN_SHARE = 0.5
 THIN_TOLERANCE = 12
@@ -66,11 +70,11 @@ def inner_edges(pictures):
     return (np.ptp(neighbourhoods(pictures), axis=0) > CONTRAST).any(axis=(0, 3))
 
 
-def lies_between(pictures, others):
+def lies_between(pictures, others, extension):
     """Whether the colours of a pixel lie between, or close to, those around it in the other picture."""
     around = neighbourhoods(others)
     low, high = around.min(0), around.max(0)
-    margin = TOLERANCE + MARGIN * (high - low)
+    margin = TOLERANCE + extension * (high - low)
     return ((pictures >= low - margin) & (pictures <= high + margin)).all(axis=(0, 3))
 
 
@@ -79,11 +83,13 @@ def occurs(pictures, others):
     return (abs(neighbourhoods(others) - pictures) <= THIN_TOLERANCE).all(axis=(1, 4)).any(0)
 
 
-def compare(one, other, backgrounds, thin=False):
+def compare(one, other, backgrounds, thin=""):
+    """`thin` is "lines", "blended", or nothing."""
     one, other = one.astype(int), other.astype(int)
     first, second = coverage(one, backgrounds), coverage(other, backgrounds)
     difference = abs(one - other).max(axis=(0, 3))
-    is_shown = occurs if thin else lies_between
+    margin = BLENDED_MARGIN if thin == "blended" else MARGIN
+    is_shown = occurs if thin == "lines" else partial(lies_between, extension=margin)
     at_silhouette = (first != second) & silhouettes(first) & silhouettes(second)
     inside = (difference > TOLERANCE) & (first == second)
     at_edge = inside & is_shown(one, other) & is_shown(other, one)

@@ -12,10 +12,12 @@ from typing import Callable, Optional
 import numpy as np
 from vtkmodules.vtkFiltersCore import vtkReverseSense, vtkTriangleFilter
 
+from vtkmodules.vtkRenderingCore import VTK_LIGHT_TYPE_SCENE_LIGHT
+
 import materials
 from lambent import vtkLambentNormals, vtkLambentRayTracer
 from meshes import add, in_reverse_order, without_ghosts
-from scene import with_data, with_property
+from scene import camera_of, with_data, with_property
 
 
 @dataclass
@@ -72,6 +74,24 @@ def with_range_of_array(scene):
     return with_actor(colours=replace(actor.colours, range=heights))(scene)
 
 
+def with_light_of_scene(scene):
+    """A light at the camera, instead of the headlight."""
+    camera = camera_of(scene)
+    return replace(scene, lights=({"LightType": VTK_LIGHT_TYPE_SCENE_LIGHT, "Position": camera.GetPosition(),
+                                   "FocalPoint": camera.GetFocalPoint()},))
+
+
+def from_far(scene):
+    """The camera of a parallel view, a thousand times as far away."""
+    camera = camera_of(scene)
+    camera.Dolly(0.001)
+    return replace(scene, camera={**scene.camera, "Position": camera.GetPosition()})
+
+
+def with_specular_as_diffuse(scene):
+    return replace(scene, lights=[{**each, "SpecularColor": each["DiffuseColor"]} for each in scene.lights])
+
+
 def without_clipping(scene):
     return replace(scene, camera={name: value for name, value in scene.camera.items() if name != "ClippingRange"})
 
@@ -111,6 +131,19 @@ KNOWN = {
     "transform-mirrored-culled": MIRRORED,
     "spheres-transformed": Known("A transform moves Lambent's spheres, but does not scale them. OpenGL is given the "
                                  "radius for its scaled spheres.", opengl=with_actor(radius=0.6)),
+    "specular": Known(
+        "For a single headlight, OpenGL's highlight has the cosine of the diffuse light; elsewhere, and in Lambent, "
+        "it is that of the reflected ray. OpenGL is given another light at the camera.", opengl=with_light_of_scene),
+    "specular-parallel": Known(
+        "In a parallel view, OpenGL's highlights are those that the camera's position sees; Lambent's those that the "
+        "parallel rays see. OpenGL's camera is moved back.", opengl=from_far),
+    "specular-of-light": Known(
+        "OpenGL's highlights have the diffuse colour of the light, Lambent's its specular colour. Lambent is given the "
+        "same for both.", lambent=with_specular_as_diffuse),
+    "edges": Known("OpenGL blends the edges of faces with the faces; Lambent decides for each sample. It has more of "
+                   "them.", settings={"Supersampling": 2}),
+    "edges-coloured": Known("In OpenGL a few pixels of silhouettes, near corners, lack the edge.",
+                            pixels=3, bytes=120),
     "clipping-range": Known("Lambent ignores the clipping range. OpenGL is given one around the scene.",
                             opengl=without_clipping),
     "ghosts": Known("OpenGL draws ghost cells of vtkPolyData. It is given the mesh without them.",

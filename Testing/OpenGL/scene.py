@@ -39,14 +39,14 @@ class Actor:
 @dataclass
 class Scene:
     """`awaits` names features that the library may not have yet; FEATURES in lambent_side.py lists
-    them. `thin` scenes consist of lines and points of a few pixels."""
+    them. `thin` says what is compared less strictly, as comparison.py describes."""
     name: str
     actors: list
     camera: dict = field(default_factory=dict)
     lights: tuple = ()
     two_sided: bool = True
     awaits: tuple = ()
-    thin: bool = False
+    thin: str = ""
 
 
 def scene(name, data, property=None, colours=None, matrix=None, blocks=None, texture=None, radius=0.0,

@@ -196,16 +196,16 @@ THIN = [
     scene("points", coarse, {"Representation": POINTS, "PointSize": 5, "Lighting": False}),
 ]
 for each in THIN:
-    each.awaits, each.thin = ("lines",), True
+    each.awaits, each.thin = ("lines",), "lines"
 
 EDGES = [
-    scene("edges", coarse, {"EdgeVisibility": True, "EdgeColor": (0.1, 0.1, 0.5)}),
+    scene("edges", lambda: coarse(normals=True), {"EdgeVisibility": True, "EdgeColor": (0.1, 0.1, 0.5)}),
     scene("edges-wide", lambda: wave(7, quads=True), {"EdgeVisibility": True, "LineWidth": 4}),
     scene("edges-coloured", cube, {"EdgeVisibility": True, "LineWidth": 2, **SPLIT},
           Colours("region", cells=True, range=(0, 5))),
 ]
 for each in EDGES:
-    each.awaits, each.thin = ("edges",), True
+    each.awaits, each.thin = ("edges",), "blended"
 
 SPECULAR = [
     scene("specular", sphere, {"Specular": 0.6, "SpecularPower": 20}),
@@ -213,6 +213,12 @@ SPECULAR = [
           lights=(light(),)),
     scene("specular-point-light", wave, {"Specular": 0.7, "SpecularPower": 30, "Color": (0.2, 0.3, 0.7)},
           lights=(point_light(),)),
+    scene("specular-of-light", sphere, {"Specular": 0.8, "SpecularPower": 8},
+          lights=(light(DiffuseColor=(1, 0.5, 0.3), SpecularColor=(0.2, 0.4, 1)),)),
+    scene("specular-flat", coarse, {"Specular": 0.6, "SpecularPower": 15, **SPLIT}, lights=(light(),)),
+    scene("specular-spheres", balls, {"Specular": 0.6, "SpecularPower": 15}, radius=0.3, lights=(light(),)),
+    scene("specular-and-colours", wave, {"Specular": 0.5, "SpecularPower": 25}, Colours("height", range=HEIGHT),
+          lights=(point_light(), light(Intensity=0.3))),
     scene("specular-parallel", sphere, {"Specular": 0.6, "SpecularPower": 10}, lights=(light(),),
           camera={"ParallelProjection": True, "ParallelScale": 1.2}),
 ]
