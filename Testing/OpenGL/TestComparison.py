@@ -81,9 +81,10 @@ class Pictures(unittest.TestCase):
 
     def test_thin_things_may_move_by_a_pixel_but_keep_their_colour(self):
         def line(x, colour):
-            result = np.array(np.broadcast_to(np.round(255 * np.array(BACKGROUNDS))[:, None, None, :], self.pictures.shape))
+            result = np.empty_like(self.pictures)
+            result[:] = np.round(255 * np.array(BACKGROUNDS))[:, None, None, :]
             result[:, 20:150, x] = colour
-            return result.astype(np.uint8)
+            return result
 
         self.pictures = line(100, (200, 40, 40))
         self.expect(True, line(100, (205, 45, 38)), thin="lines")

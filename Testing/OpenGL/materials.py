@@ -6,6 +6,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkVariant
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkTexture
 
 from scene import apply
@@ -61,19 +62,40 @@ def translucent():
     return table(AlphaRange=(0.1, 0.9))
 
 
-def chequers(smooth=False, wrap="Repeat"):
+def texture(texels, smooth=False, wrap=vtkTexture.Repeat, **values):
+    """A texture of an array (rows from the bottom, columns, components)."""
+    image = vtkImageData()
+    image.SetDimensions(texels.shape[1], texels.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(texels.reshape(-1, texels.shape[2]), deep=True))
+    result = apply(vtkTexture(), {"Interpolate": smooth, "Wrap": wrap, **values})
+    result.SetInputDataObject(image)
+    return result
+
+
+def chequers(smooth=False, wrap=vtkTexture.Repeat, alpha=False, **values):
     """Eight by eight texels of many colours."""
     j, i = np.meshgrid(np.arange(8), np.arange(8), indexing="ij")
-    texels = np.stack([30 * i + 20, 30 * j + 20, np.where((i + j) % 2, 230, 90)], 2).astype(np.uint8)
-    image = vtkImageData()
-    image.SetDimensions(8, 8, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(texels.reshape(-1, 3), deep=True))
-    result = vtkTexture()
-    result.SetInputDataObject(image)
-    result.SetInterpolate(smooth)
-    result.SetWrap({"Repeat": vtkTexture.Repeat, "Clamp": vtkTexture.ClampToEdge,
-                    "Mirror": vtkTexture.MirroredRepeat}[wrap])
-    return result
+    texels = np.stack([30 * i + 20, 30 * j + 20, np.where((i + j) % 2, 230, 90)], 2)
+    if alpha:
+        texels = np.dstack([texels, 255 - 30 * i])
+    return texture(texels.astype(np.uint8), smooth, wrap, **values)
+
+
+def grey_bytes():
+    return texture(np.arange(0, 250, 10, dtype=np.uint8).reshape(5, 5, 1))
+
+
+def numbers():
+    """Numbers, which a texture maps through a table."""
+    return texture(np.linspace(0.0, 2.0, 30).reshape(5, 6, 1), LookupTable=table(TableRange=(0.3, 1.6)))
+
+
+def turned():
+    transform = vtkTransform()
+    transform.Translate(0.2, 0.1, 0)
+    transform.RotateZ(30)
+    transform.Scale(0.8, 1.3, 1)
+    return chequers(Transform=transform)
 
 
 def block_colours(attributes, data):

@@ -59,6 +59,7 @@ def add_arrays(result):
     add(points, "rgb", colours)
     alpha = np.clip(255 * (0.5 + 0.5 * np.sin(4 * x)), 0, 255).astype(np.uint8)
     add(points, "rgba", np.column_stack([colours, alpha]))
+    add(points, "grey alpha", np.column_stack([colours[:, 0], alpha]))
     points.SetTCoords(add(points, "coordinates", np.stack([1.2 * x + 0.3, 1.2 * y + 0.4], 1).astype(np.float32)))
     number = np.arange(result.GetNumberOfCells())
     add(cells, "region", number * 7 % 5)

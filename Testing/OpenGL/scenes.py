@@ -12,7 +12,7 @@ FLAT, GOURAUD, PHONG = range(3)
 POINTS, WIREFRAME, SURFACE = range(3)
 HEADLIGHT, CAMERA_LIGHT, SCENE_LIGHT = 1, 2, 3
 HEIGHT = (-1.4, 2.2)  # about the range of the array "height"
-SPLIT = {"Interpolation": FLAT}
+FLAT_FACES = {"Interpolation": FLAT}
 INTO_THE_BOWL = {"Position": (2.8, -1.7, 1.5)}
 
 
@@ -71,12 +71,12 @@ SHADING = [
 
 CELLS = [
     scene("quads", lambda: wave(13, quads=True)),
-    scene("polygons", polygons, SPLIT, Colours("region", cells=True, range=(0, 6))),
+    scene("polygons", polygons, FLAT_FACES, Colours("region", cells=True, range=(0, 6))),
     scene("strips", strips, None, Colours("region", cells=True, range=(0, 4))),
-    scene("faces-of-a-cube", cube, SPLIT, Colours("region", cells=True, range=(0, 5))),
-    scene("polygons-and-strips", lambda: mixed(thin=False), SPLIT, Colours("number", cells=True, range=(0, 0.5))),
-    scene("coincident", coincident, SPLIT, Colours("region", cells=True, range=(0, 2))),
-    scene("overlapping", layers, SPLIT, Colours("region", cells=True, range=(0, 2))),
+    scene("faces-of-a-cube", cube, FLAT_FACES, Colours("region", cells=True, range=(0, 5))),
+    scene("polygons-and-strips", lambda: mixed(thin=False), FLAT_FACES, Colours("number", cells=True, range=(0, 0.5))),
+    scene("coincident", coincident, FLAT_FACES, Colours("region", cells=True, range=(0, 2))),
+    scene("overlapping", layers, FLAT_FACES, Colours("region", cells=True, range=(0, 2))),
     scene("several-actors", [
         Actor(sphere, {"Color": (0.9, 0.3, 0.2)}),
         Actor(wave, {"Color": (0.3, 0.4, 0.9)}, matrix=matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.3)),
@@ -85,20 +85,20 @@ CELLS = [
 
 COLOURS = [
     scene("colours-of-points", wave, None, Colours("height", range=HEIGHT)),
-    scene("colours-of-cells", coarse, SPLIT, Colours("region", cells=True, range=(0, 4))),
+    scene("colours-of-cells", coarse, FLAT_FACES, Colours("region", cells=True, range=(0, 4))),
     scene("colours-default-table", wave, None, Colours("height", range=(0.0, 1.0))),
     scene("colours-default-range", wave, None, Colours("height")),
     scene("colours-of-the-arrays-table", with_own_table, None, Colours("height", table=m.table)),
-    scene("colours-of-points-flat", coarse, SPLIT, Colours("height", range=HEIGHT)),
+    scene("colours-of-points-flat", coarse, FLAT_FACES, Colours("height", range=HEIGHT)),
     scene("colours-table-range", wave, None, Colours("height", table=lambda: m.table(TableRange=HEIGHT))),
     scene("colours-component", wave, None, Colours("vector", component=1, table=m.table, range=(-1, 1))),
     scene("colours-magnitude", wave, None, Colours("vector", component=-1, table=m.table, range=(0, 2.5))),
     scene("colours-rgb", wave, None, Colours("rgb")),
-    scene("colours-rgb-of-cells", coarse, SPLIT, Colours("cell rgb", cells=True)),
+    scene("colours-rgb-of-cells", coarse, FLAT_FACES, Colours("cell rgb", cells=True)),
     scene("colours-grey", wave, None, Colours("grey")),
     scene("colours-log", wave, None, Colours("positive", table=m.logarithmic, range=(0.02, 30))),
     scene("colours-log-before", wave, None, Colours("positive", table=m.logarithmic, range=(0.02, 30), before=True)),
-    scene("colours-limits-of-cells", coarse, SPLIT,
+    scene("colours-limits-of-cells", coarse, FLAT_FACES,
           Colours("number", cells=True, table=m.limited, range=(0.2, 0.8))),
     scene("colours-limits", wave, None, Colours("holed", table=m.limited, range=(-0.5, 0.9))),
     scene("colours-limits-before", wave, None, Colours("height", table=m.limited, range=(-0.5, 0.9), before=True)),
@@ -106,7 +106,7 @@ COLOURS = [
     scene("colours-transfer", wave, None, Colours("height", table=m.function)),
     scene("colours-transfer-before", wave, None, Colours("height", table=m.function, before=True)),
     scene("colours-diverging", wave, None, Colours("height", table=m.diverging)),
-    scene("colours-indexed", coarse, SPLIT, Colours("region", cells=True, table=m.annotated)),
+    scene("colours-indexed", coarse, FLAT_FACES, Colours("region", cells=True, table=m.annotated)),
     scene("colours-before", wave, None, Colours("height", range=HEIGHT, before=True)),
     scene("colours-bands", wave, None, Colours("height", table=lambda: m.table(9), range=HEIGHT, before=True)),
     scene("colours-with-ambient", sphere, {"Ambient": 0.4, "Diffuse": 0.5}, Colours("height", range=HEIGHT)),
@@ -124,12 +124,12 @@ BLOCKS = [
 MIRROR = matrix(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
 
 TRANSFORMS = [
-    scene("transform-turned", cube, SPLIT, matrix=matrix(0.8, -0.6, 0, 0.2, 0.6, 0.8, 0, -0.1, 0, 0, 1, 0.4)),
+    scene("transform-turned", cube, FLAT_FACES, matrix=matrix(0.8, -0.6, 0, 0.2, 0.6, 0.8, 0, -0.1, 0, 0, 1, 0.4)),
     scene("transform-scaled", sphere, matrix=matrix(1.3, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.8, 0)),
     scene("transform-sheared", wave, matrix=matrix(1, 0.4, 0, 0, 0, 1, 0, 0.1, 0.3, 0, 0.7, 0)),
     scene("transform-mirrored", sphere, matrix=MIRROR),
     scene("transform-mirrored-culled", bowl, {"BackfaceCulling": True}, matrix=MIRROR, camera=INTO_THE_BOWL),
-    scene("transform-mirrored-without-normals", coarse, SPLIT, matrix=MIRROR),
+    scene("transform-mirrored-without-normals", coarse, FLAT_FACES, matrix=MIRROR),
     scene("far-away", far_away, camera={"Position": (2e5 + 0.9, 2e5 - 1.4, 2e5 + 3.6), "FocalPoint": 3 * (2e5,)}),
     scene("ghosts", ghosts),
 ]
@@ -149,36 +149,56 @@ VIEWS = [
     scene("parallel", sphere, camera={"ParallelProjection": True, "ParallelScale": 1.2}),
     scene("parallel-point-light", wave, camera={"ParallelProjection": True, "ParallelScale": 1.2},
           lights=(point_light(),)),
-    scene("parallel-flat", coarse, SPLIT, camera={"ParallelProjection": True, "ParallelScale": 1.2}),
+    scene("parallel-flat", coarse, FLAT_FACES, camera={"ParallelProjection": True, "ParallelScale": 1.2}),
     scene("wide-angle", wave, camera={"ViewAngle": 110, "Position": (0.2, -0.6, 0.8)}),
-    scene("horizontal-angle", cube, SPLIT, camera={"UseHorizontalViewAngle": True, "ViewAngle": 40}),
+    scene("horizontal-angle", cube, FLAT_FACES, camera={"UseHorizontalViewAngle": True, "ViewAngle": 40}),
     scene("window-centre", sphere, camera={"WindowCenter": (0.3, -0.2)}),
-    scene("rolled", cube, SPLIT, camera={"ViewUp": (0.7, 0.7, 0.2)}),
+    scene("rolled", cube, FLAT_FACES, camera={"ViewUp": (0.7, 0.7, 0.2)}),
     scene("clipping-range", sphere, camera={"ClippingRange": (3.2, 3.9)}),
     scene("through-the-surface", wave, camera={"Position": (0, -1.2, 0.15), "FocalPoint": (0, 0, 0.1)}),
 ]
 
 TRANSLUCENT = [
-    scene("opacity", sphere, {"Opacity": 0.5}, awaits=("opacity",)),
-    scene("opacity-flat-layers", layers, {"Opacity": 0.4}, Colours("region", cells=True, range=(0, 2)),
-          awaits=("opacity",)),
-    scene("opacity-of-rgba", wave, None, Colours("rgba"), awaits=("opacity",)),
-    scene("opacity-of-table", wave, None, Colours("height", table=m.translucent, range=HEIGHT),
-          awaits=("opacity",)),
-    scene("opacity-of-blocks", blocks, blocks=m.block_opacity, awaits=("opacity",)),
-    scene("opacity-behind-opaque", [Actor(sphere, {"Color": (0.9, 0.3, 0.2)}),
-                                    Actor(wave, {"Opacity": 0.3, "Color": (0.3, 0.4, 0.9)})], awaits=("opacity",)),
+    scene("opacity", sphere, {"Opacity": 0.5}),
+    scene("opacity-culled", sphere, {"Opacity": 0.7, "BackfaceCulling": True}, lights=(light(),)),
+    scene("opacity-unlit", bowl, {"Opacity": 0.4, "Lighting": False}, camera=INTO_THE_BOWL),
+    scene("opacity-of-layers", layers, {"Opacity": 0.4}, Colours("region", cells=True, range=(0, 2))),
+    scene("opacity-of-rgba", wave, None, Colours("rgba")),
+    scene("opacity-of-rgba-times-property", wave, {"Opacity": 0.5}, Colours("rgba")),
+    scene("opacity-of-grey-and-alpha", wave, None, Colours("grey alpha")),
+    scene("opacity-of-table", wave, None, Colours("height", table=m.translucent, range=HEIGHT)),
+    scene("opacity-of-table-before", wave, None,
+          Colours("height", table=m.translucent, range=HEIGHT, before=True)),
+    scene("opacity-of-blocks", blocks, blocks=m.block_opacity),
+    scene("opacity-of-spheres", balls, {"Opacity": 0.5}, radius=0.3, lights=(light(),)),
+    scene("opacity-before-opaque", [
+        Actor(sphere, {"Color": (0.9, 0.3, 0.2)}),
+        Actor(wave, {"Opacity": 0.3, "Color": (0.3, 0.4, 0.9)}, matrix=matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0.6))]),
 ]
+for each in TRANSLUCENT:
+    each.awaits = ("opacity",)
+
+WHITE = {"Color": (1, 1, 1)}
 
 TEXTURES = [
-    scene("texture-repeated", wave, {"Color": (1, 1, 1)}, texture=m.chequers, awaits=("textures",)),
-    scene("texture-clamped-smooth", wave, {"Color": (1, 1, 1)}, texture=lambda: m.chequers(True, "Clamp"),
-          awaits=("textures",)),
-    scene("texture-mirrored", wave, {"Color": (0.6, 1, 0.8)}, texture=lambda: m.chequers(True, "Mirror"),
-          awaits=("textures",)),
-    scene("texture-and-colours", wave, None, Colours("height", range=HEIGHT), texture=m.chequers,
-          awaits=("textures",)),
+    scene("texture-repeated", wave, WHITE, texture=m.chequers),
+    scene("texture-clamped", wave, WHITE, texture=lambda: m.chequers(True, m.vtkTexture.ClampToEdge)),
+    scene("texture-mirrored", wave, {"Color": (0.6, 1, 0.8)},
+          texture=lambda: m.chequers(True, m.vtkTexture.MirroredRepeat)),
+    scene("texture-with-border", wave, WHITE, texture=lambda: m.chequers(False, m.vtkTexture.ClampToBorder)),
+    scene("texture-and-colours", wave, None, Colours("height", range=HEIGHT), texture=m.chequers),
+    scene("texture-unlit", wave, {**WHITE, "Lighting": False}, texture=m.chequers),
+    scene("texture-of-srgb", wave, WHITE, texture=lambda: m.chequers(UseSRGBColorSpace=True)),
+    scene("texture-of-grey", wave, WHITE, texture=m.grey_bytes),
+    scene("texture-of-numbers", wave, WHITE, texture=m.numbers),
+    scene("texture-transformed", wave, WHITE, texture=m.turned),
+    scene("texture-and-highlights", wave, {"Specular": 0.7, "SpecularPower": 10}, texture=m.chequers,
+          lights=(point_light(),), awaits=("specular",)),
+    scene("texture-with-alpha", wave, WHITE, texture=lambda: m.chequers(alpha=True), awaits=("opacity",)),
+    scene("texture-with-opacity", wave, {**WHITE, "Opacity": 0.5}, texture=m.chequers, awaits=("opacity",)),
 ]
+for each in TEXTURES:
+    each.awaits += ("textures",)
 
 THIN = [
     scene("lines", without_polygons, {"Color": (1, 0.9, 0.2), "Lighting": False}),
@@ -201,7 +221,7 @@ for each in THIN:
 EDGES = [
     scene("edges", lambda: coarse(normals=True), {"EdgeVisibility": True, "EdgeColor": (0.1, 0.1, 0.5)}),
     scene("edges-wide", lambda: wave(7, quads=True), {"EdgeVisibility": True, "LineWidth": 4}),
-    scene("edges-coloured", cube, {"EdgeVisibility": True, "LineWidth": 2, **SPLIT},
+    scene("edges-coloured", cube, {"EdgeVisibility": True, "LineWidth": 2, **FLAT_FACES},
           Colours("region", cells=True, range=(0, 5))),
 ]
 for each in EDGES:
@@ -215,7 +235,7 @@ SPECULAR = [
           lights=(point_light(),)),
     scene("specular-of-light", sphere, {"Specular": 0.8, "SpecularPower": 8},
           lights=(light(DiffuseColor=(1, 0.5, 0.3), SpecularColor=(0.2, 0.4, 1)),)),
-    scene("specular-flat", coarse, {"Specular": 0.6, "SpecularPower": 15, **SPLIT}, lights=(light(),)),
+    scene("specular-flat", coarse, {"Specular": 0.6, "SpecularPower": 15, **FLAT_FACES}, lights=(light(),)),
     scene("specular-spheres", balls, {"Specular": 0.6, "SpecularPower": 15}, radius=0.3, lights=(light(),)),
     scene("specular-and-colours", wave, {"Specular": 0.5, "SpecularPower": 25}, Colours("height", range=HEIGHT),
           lights=(point_light(), light(Intensity=0.3))),
