@@ -219,11 +219,12 @@ def mixed(thin=True):
     return result
 
 
-def without_polygons(vertices=False):
+def without_polygons(vertices=False, normals=False):
     data = mixed()
     cells = ([(k,) for k in range(data.GetNumberOfPoints())] if vertices else
              [(0, 1, 2, 3, 4), (5, 11), (6, 12, 8), (10, 16, 12, 18, 14), (7, 9)])
-    result = mesh(points_of(data), **{"vertices" if vertices else "lines": cells})
+    given = [(0.15 * (k % 5) - 0.3, 0.1, 0.9) for k in range(data.GetNumberOfPoints())] if normals else None
+    result = mesh(points_of(data), normals=given, **{"vertices" if vertices else "lines": cells})
     add(result.GetPointData(), "height", points_of(data)[:, 0])
     add(result.GetCellData(), "number", np.arange(len(cells)) / 8.0)
     return result

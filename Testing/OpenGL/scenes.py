@@ -13,6 +13,7 @@ POINTS, WIREFRAME, SURFACE = range(3)
 HEADLIGHT, CAMERA_LIGHT, SCENE_LIGHT = 1, 2, 3
 HEIGHT = (-1.4, 2.2)  # about the range of the array "height"
 FLAT_FACES = {"Interpolation": FLAT}
+PARALLEL = {"ParallelProjection": True, "ParallelScale": 1.2}
 INTO_THE_BOWL = {"Position": (2.8, -1.7, 1.5)}
 
 
@@ -146,10 +147,10 @@ SPHERES = [
 VIEWS = [
     scene("culled-backs", bowl, {"BackfaceCulling": True}, camera=INTO_THE_BOWL),
     scene("culled-fronts", bowl, {"FrontfaceCulling": True}, camera=INTO_THE_BOWL),
-    scene("parallel", sphere, camera={"ParallelProjection": True, "ParallelScale": 1.2}),
-    scene("parallel-point-light", wave, camera={"ParallelProjection": True, "ParallelScale": 1.2},
+    scene("parallel", sphere, camera=PARALLEL),
+    scene("parallel-point-light", wave, camera=PARALLEL,
           lights=(point_light(),)),
-    scene("parallel-flat", coarse, FLAT_FACES, camera={"ParallelProjection": True, "ParallelScale": 1.2}),
+    scene("parallel-flat", coarse, FLAT_FACES, camera=PARALLEL),
     scene("wide-angle", wave, camera={"ViewAngle": 110, "Position": (0.2, -0.6, 0.8)}),
     scene("horizontal-angle", cube, FLAT_FACES, camera={"UseHorizontalViewAngle": True, "ViewAngle": 40}),
     scene("window-centre", sphere, camera={"WindowCenter": (0.3, -0.2)}),
@@ -200,20 +201,36 @@ TEXTURES = [
 for each in TEXTURES:
     each.awaits += ("textures",)
 
+UNLIT = {"Lighting": False}
+
 THIN = [
-    scene("lines", without_polygons, {"Color": (1, 0.9, 0.2), "Lighting": False}),
-    scene("lines-wide", without_polygons, {"LineWidth": 5, "Lighting": False},
-          Colours("number", cells=True, range=(0, 1))),
-    scene("lines-coloured", without_polygons, {"LineWidth": 3, "Lighting": False},
+    scene("lines", without_polygons, {"Color": (1, 0.9, 0.2), **UNLIT}),
+    scene("lines-wide", without_polygons, {"LineWidth": 5, **UNLIT}, Colours("number", cells=True, range=(0, 1))),
+    scene("lines-coloured", without_polygons, {"LineWidth": 3, **UNLIT}, Colours("height", range=(-1, 1))),
+    scene("lines-lit", without_polygons, {"LineWidth": 2}),
+    scene("lines-with-normals", lambda: without_polygons(normals=True), {"LineWidth": 2}, lights=(light(),)),
+    scene("lines-as-tubes", without_polygons, {"LineWidth": 6, "RenderLinesAsTubes": True}, camera=PARALLEL),
+    scene("lines-on-a-surface", [
+        Actor(wave), Actor(wave, {"Representation": WIREFRAME, "Color": (0, 0, 0.6), **UNLIT})]),
+    scene("vertices", lambda: without_polygons(vertices=True), {"PointSize": 7, **UNLIT},
           Colours("height", range=(-1, 1))),
-    scene("lines-lit", without_polygons, {"LineWidth": 3}),
-    scene("vertices", lambda: without_polygons(vertices=True), {"PointSize": 7, "Lighting": False},
-          Colours("height", range=(-1, 1))),
-    scene("mixed-cells", mixed, {"PointSize": 6, "LineWidth": 3, "Lighting": False},
+    scene("vertices-with-normals", lambda: without_polygons(vertices=True, normals=True), {"PointSize": 5},
+          lights=(light(),)),
+    scene("vertices-as-spheres", lambda: without_polygons(vertices=True),
+          {"PointSize": 12, "RenderPointsAsSpheres": True}),
+    scene("vertices-as-spheres-parallel", lambda: without_polygons(vertices=True),
+          {"PointSize": 12, "RenderPointsAsSpheres": True}, camera=PARALLEL, lights=(light(),)),
+    scene("vertices-of-a-surface", lambda: coarse(normals=True),
+          {"VertexVisibility": True, "VertexColor": (0.8, 0, 0), "PointSize": 5}),
+    scene("mixed-cells", mixed, {"PointSize": 6, "LineWidth": 3, **UNLIT},
           Colours("number", cells=True, range=(0, 1))),
-    scene("wireframe", coarse, {"Representation": WIREFRAME, "Lighting": False}),
-    scene("wireframe-of-polygons", polygons, {"Representation": WIREFRAME, "LineWidth": 2, "Lighting": False}),
-    scene("points", coarse, {"Representation": POINTS, "PointSize": 5, "Lighting": False}),
+    scene("wireframe", coarse, {"Representation": WIREFRAME, **UNLIT}),
+    scene("wireframe-of-polygons", polygons, {"Representation": WIREFRAME, "LineWidth": 2, **UNLIT}),
+    scene("wireframe-with-normals", lambda: coarse(normals=True), {"Representation": WIREFRAME, "LineWidth": 2}),
+    scene("wireframe-of-cells", coarse, {"Representation": WIREFRAME, "LineWidth": 2, **UNLIT},
+          Colours("region", cells=True, range=(0, 4))),
+    scene("points", coarse, {"Representation": POINTS, "PointSize": 5, **UNLIT}),
+    scene("points-with-normals", lambda: sphere(16), {"Representation": POINTS, "PointSize": 4}),
 ]
 for each in THIN:
     each.awaits, each.thin = ("lines",), "lines"
@@ -240,7 +257,7 @@ SPECULAR = [
     scene("specular-and-colours", wave, {"Specular": 0.5, "SpecularPower": 25}, Colours("height", range=HEIGHT),
           lights=(point_light(), light(Intensity=0.3))),
     scene("specular-parallel", sphere, {"Specular": 0.6, "SpecularPower": 10}, lights=(light(),),
-          camera={"ParallelProjection": True, "ParallelScale": 1.2}),
+          camera=PARALLEL),
 ]
 for each in SPECULAR:
     each.awaits = ("specular",)
