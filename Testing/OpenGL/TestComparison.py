@@ -70,6 +70,15 @@ class Pictures(unittest.TestCase):
         other[:, SIZE[1] // 2, SIZE[0] // 2] += 3
         self.expect(False, other)
 
+    def test_a_surface_too_faint_to_see_is_none(self):
+        self.pictures = self.pictures.copy()
+        self.pictures[:, 10:14, 10:30] -= 1
+        other = self.pictures.copy()
+        other[:, 10:14, 10:30] -= 1
+        self.expect(True, other)
+        other[:, 10:14, 10:30] -= 2
+        self.expect(False, other)
+
     def test_a_rougher_outline_is_found(self):
         self.pictures = rendered(Scene("fine", [Actor(lambda: meshes.sphere(48), {"Lighting": False})]))
         self.expect(False, rendered(Scene("rough", [Actor(lambda: meshes.sphere(20), {"Lighting": False})])))

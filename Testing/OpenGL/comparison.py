@@ -90,10 +90,10 @@ def compare(one, other, backgrounds, thin=""):
     difference = abs(one - other).max(axis=(0, 3))
     margin = BLENDED_MARGIN if thin == "blended" else MARGIN
     is_shown = occurs if thin == "lines" else partial(lies_between, extension=margin)
-    at_silhouette = (first != second) & silhouettes(first) & silhouettes(second)
-    inside = (difference > TOLERANCE) & (first == second)
-    at_edge = inside & is_shown(one, other) & is_shown(other, one)
-    wrong = (first != second) & ~at_silhouette | inside & ~at_edge
+    differs = difference > TOLERANCE  # elsewhere, a surface may be too faint to see
+    at_silhouette = differs & (first != second) & silhouettes(first) & silhouettes(second)
+    at_edge = differs & (first == second) & is_shown(one, other) & is_shown(other, one)
+    wrong = differs & ~at_silhouette & ~at_edge
     is_edge = silhouettes(first) | silhouettes(second) | inner_edges(one) | inner_edges(other)
     share = THIN_SHARE if thin else SHARE
     return Result(np.count_nonzero(first | second), np.count_nonzero(at_silhouette | at_edge),

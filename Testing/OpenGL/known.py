@@ -87,6 +87,9 @@ KNOWN = {
                                  "radius for its scaled spheres.", opengl=with_actor(radius=0.6)),
     "clipping-range": Known("Lambent ignores the clipping range. OpenGL is given one around the scene.",
                             opengl=changes.without_clipping),
+    "opacity-of-spheres": Known(
+        "vtkGlyph3DMapper applies the opacity twice. OpenGL is given its square root.",
+        opengl=lambda scene: with_property(scene, Opacity=0.5 ** 0.5)),
     "specular": Known(
         "For a single headlight, OpenGL's highlight has the cosine of the diffuse light; elsewhere, and in Lambent, "
         "it is that of the reflected ray. OpenGL is given another light at the camera.",
