@@ -452,6 +452,8 @@ MUTATIONS = [
      "blocks share one range"),
     (COLORS_OF_INPUTS, " && !input.color;", ";", "a block's own colour comes first"),
     (COLORS, "if (table->GetUseAboveRangeColor())", "if (false)", "colours above the range"),
+    (COLORS, "components == 1 ? 0 : settings.component", "settings.component",
+     "the magnitude of a single number is the number"),
     (COLORS, "    this->Array->GetLookupTable() ?", "    false ?", "a table of the array comes first"),
     # Spheres.
     (CONTRACT, "const double nearest = b / a;", "const double nearest = b;",
