@@ -52,6 +52,10 @@ def with_range_of_array(scene):
     return with_actor(colours=replace(actor.colours, range=heights))(scene)
 
 
+def with_range_above(scene):
+    return with_actor(colours=replace(scene.actors[0].colours, range=(1000, 1001)))(scene)
+
+
 def with_light_of_scene(scene):
     """A light at the camera, instead of the headlight."""
     camera = camera_of(scene)

@@ -7,11 +7,12 @@ it must differ. An entry with a limit allows this many pixels to differ by at mo
 the change.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Callable, Optional
 
 import numpy as np
 from vtkmodules.vtkFiltersCore import vtkReverseSense, vtkTriangleFilter
+from vtkmodules.vtkRenderingCore import VTK_FLAT
 
 import changes
 from changes import filtered, with_actor
@@ -60,11 +61,17 @@ def backwards(scene):
 KNOWN = {
     "ambient-dim": AMBIENT,
     "ambient-several": AMBIENT,
+    "light-none-is-on": Known(
+        "If no light is on, vtkRenderer makes a headlight; in Lambent there is none. Lambent is given no lights, which "
+        "means a headlight.", lambent=lambda scene: replace(scene, lights=())),
     "unlit-with-coefficients": Known(
         "Without lighting OpenGL adds the ambient and the diffuse colour with their coefficients; Lambent shows the "
         "diffuse colour. OpenGL is given the coefficients 0 and 1.",
         opengl=lambda scene: with_property(scene, Ambient=0.0, Diffuse=1.0)),
     "normals-missing": NORMALS,
+    "normals-of-cells-only": Known(
+        "Without point normals OpenGL uses those of cells, also with smooth shading; Lambent computes normals. Lambent "
+        "is given flat shading.", lambent=lambda scene: with_property(scene, Interpolation=VTK_FLAT)),
     "normals-against-the-winding": Known(
         "Where point normals disagree with the winding, OpenGL turns them away from the viewer; Lambent trusts "
         "them. OpenGL is given the faces in reverse.", opengl=REVERSED),
@@ -79,12 +86,18 @@ KNOWN = {
         "that.", opengl=changes.with_range_of_array),
     "colours-log-before": Known("OpenGL interpolates the logarithm, Lambent the number. Lambent is given logarithms.",
                                 lambent=changes.with_logarithms),
+    "colours-range-of-one-value-before": Known(
+        "If scalars are interpolated before mapping, and the range is one value, OpenGL shows the lowest colour; "
+        "Lambent shows what is below and above. Lambent is given a range above all values.",
+        lambent=changes.with_range_above),
     "transform-mirrored": MIRRORED,
     "transform-mirrored-culled": MIRRORED,
     "ghosts": Known("OpenGL draws ghost cells of vtkPolyData. It is given the mesh without them.",
                     opengl=lambda scene: with_data(scene, without_ghosts)),
     "spheres-transformed": Known("A transform moves Lambent's spheres, but does not scale them. OpenGL is given the "
                                  "radius for its scaled spheres.", opengl=with_actor(radius=0.6)),
+    "culled-both": Known("OpenGL culls the backs if both sides are culled, Lambent both. Lambent is given that.",
+                         lambent=lambda scene: with_property(scene, FrontfaceCulling=False)),
     "clipping-range": Known("Lambent ignores the clipping range. OpenGL is given one around the scene.",
                             opengl=changes.without_clipping),
     "opacity-of-spheres": Known(

@@ -41,6 +41,10 @@ LIGHTS = [
     scene("light-of-camera-point", wave, lights=(
         {"LightType": CAMERA_LIGHT, "Positional": True, "ConeAngle": 90, "Position": (0.2, 0.1, 0.4)},)),
     scene("light-off", wave, lights=(light(), light(Position=(-3, 1, 1), Switch=False))),
+    scene("light-none-is-on", sphere, lights=(light(Switch=False),)),
+    scene("light-headlight-dim", sphere, lights=(
+        {"LightType": HEADLIGHT, "Intensity": 0.5, "Color": (1, 0.7, 0.4)},)),
+    scene("light-cone-of-120", wave, lights=(point_light(ConeAngle=120, Exponent=3),)),
     scene("light-headlight-point", wave, lights=(
         {"LightType": HEADLIGHT, "Positional": True, "ConeAngle": 90},)),
     scene("light-transformed", wave, lights=(
@@ -66,6 +70,7 @@ SHADING = [
     scene("normals-against-the-winding", lambda: with_normals(lambda normals: -normals)),
     scene("normals-missing", lambda: coarse(normals=False)),
     scene("normals-missing-cube", cube),
+    scene("normals-of-cells-only", lambda: cube(normals=True)),
     scene("back-two-sided", bowl, camera=INTO_THE_BOWL),
     scene("back-one-sided", bowl, camera=INTO_THE_BOWL, two_sided=False, lights=(light(),)),
 ]
@@ -94,6 +99,7 @@ COLOURS = [
     scene("colours-table-range", wave, None, Colours("height", table=lambda: m.table(TableRange=HEIGHT))),
     scene("colours-component", wave, None, Colours("vector", component=1, table=m.table, range=(-1, 1))),
     scene("colours-magnitude", wave, None, Colours("vector", component=-1, table=m.table, range=(0, 2.5))),
+    scene("colours-magnitude-of-one", wave, None, Colours("height", component=-1, table=m.table, range=HEIGHT)),
     scene("colours-rgb", wave, None, Colours("rgb")),
     scene("colours-rgb-of-cells", coarse, FLAT_FACES, Colours("cell rgb", cells=True)),
     scene("colours-grey", wave, None, Colours("grey")),
@@ -109,6 +115,8 @@ COLOURS = [
     scene("colours-diverging", wave, None, Colours("height", table=m.diverging)),
     scene("colours-indexed", coarse, FLAT_FACES, Colours("region", cells=True, table=m.annotated)),
     scene("colours-before", wave, None, Colours("height", range=HEIGHT, before=True)),
+    scene("colours-range-of-one-value", wave, None, Colours("height", range=(0.5, 0.5))),
+    scene("colours-range-of-one-value-before", wave, None, Colours("height", range=(0.5, 0.5), before=True)),
     scene("colours-bands", wave, None, Colours("height", table=lambda: m.table(9), range=HEIGHT, before=True)),
     scene("colours-with-ambient", sphere, {"Ambient": 0.4, "Diffuse": 0.5}, Colours("height", range=HEIGHT)),
     scene("colours-of-quads", lambda: wave(5, quads=True), None, Colours("height", range=HEIGHT)),
@@ -147,6 +155,8 @@ SPHERES = [
 VIEWS = [
     scene("culled-backs", bowl, {"BackfaceCulling": True}, camera=INTO_THE_BOWL),
     scene("culled-fronts", bowl, {"FrontfaceCulling": True}, camera=INTO_THE_BOWL),
+    scene("culled-both", bowl, {"BackfaceCulling": True, "FrontfaceCulling": True}, camera=INTO_THE_BOWL),
+    scene("tiny-triangles", lambda: sphere(200), camera={"Position": (2, -3, 8)}),
     scene("parallel", sphere, camera=PARALLEL),
     scene("parallel-point-light", wave, camera=PARALLEL,
           lights=(point_light(),)),
@@ -154,6 +164,7 @@ VIEWS = [
     scene("wide-angle", wave, camera={"ViewAngle": 110, "Position": (0.2, -0.6, 0.8)}),
     scene("horizontal-angle", cube, FLAT_FACES, camera={"UseHorizontalViewAngle": True, "ViewAngle": 40}),
     scene("window-centre", sphere, camera={"WindowCenter": (0.3, -0.2)}),
+    scene("window-centre-parallel", sphere, camera={**PARALLEL, "WindowCenter": (0.2, 0.3)}),
     scene("rolled", cube, FLAT_FACES, camera={"ViewUp": (0.7, 0.7, 0.2)}),
     scene("clipping-range", sphere, camera={"ClippingRange": (3.2, 3.9)}),
     scene("through-the-surface", wave, camera={"Position": (0, -1.2, 0.15), "FocalPoint": (0, 0, 0.1)}),
