@@ -51,9 +51,13 @@ need_build() {
   need "image tests with pytest" python3-pytest python3-pytest-xdist python3-pil
 }
 
+need_opengl() {
+  need "VTK's OpenGL without a screen (Xvfb, llvmpipe)" xvfb libgl1-mesa-dri
+}
+
 need_benchmarks() {
   need "the benchmarks (Embree, Google Benchmark)" libembree-dev libbenchmark-dev
-  need "VTK's OpenGL without a screen (Xvfb, llvmpipe)" xvfb libgl1-mesa-dri
+  need_opengl
   need "counting instructions" valgrind
 }
 

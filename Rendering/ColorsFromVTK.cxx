@@ -133,7 +133,8 @@ void ColorsFromVTK::findArray(vtkPolyData* input, SpansFromVTK& spans)
       ". Call SetInputColorComponent() with one of these, or with -1 for the magnitude.");
   }
   this->Result.values = spans.attribute(this->Array, isOfCells);
-  this->Result.component = settings.component;
+  // As in VTK, the magnitude of a single number is the number, also if it is negative.
+  this->Result.component = components == 1 ? 0 : settings.component;
 }
 
 /// The range of the table, `own`; without a table, that of the array.

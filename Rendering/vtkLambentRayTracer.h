@@ -251,8 +251,9 @@ public:
 
   ///@{
   /**
-   * The component that is mapped, from 0, or -1 for the magnitude of the tuple. A component
-   * that the array does not have is an error. Default: 0.
+   * The component that is mapped, from 0, or -1 for the magnitude of the tuple, which, as in VTK,
+   * is the number itself if there is only one. A component that the array does not have is an
+   * error. Default: 0.
    */
   void SetInputColorComponent(int connection, int component);
   int GetInputColorComponent(int connection);

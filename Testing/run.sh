@@ -9,6 +9,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd -P)
 . "$root/.ci/setup.sh"
 
 need_build
+need_opengl
 install_missing
 configure
 compile

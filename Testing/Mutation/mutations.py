@@ -454,6 +454,8 @@ MUTATIONS = [
      "unlit colours are not multiplied"),
     (RUN_RANGE, "other.colorSource != this->colorSource", "false",
      "sources of colours are not shaded together"),
+    (COLORS, "components == 1 ? 0 : settings.component", "settings.component",
+     "the magnitude of a single number is the number"),
     (COLORS, "(hasPointScalars ? ofPoints : ofCells)->GetScalars()", "ofPoints->GetScalars()",
      "active scalars of cells are found"),
     (COLORS_OF_INPUTS, "this->Low = std::min(this->Low, range[0]);", "this->Low = range[0];",

@@ -162,12 +162,17 @@ TEST(Colors, OfCellsAreThoseOfMapScalars)
   }
 }
 
+// The magnitude of a single number is the number, also if it is negative.
 TEST(Colors, OfMagnitudesAreThoseOfMapScalars)
 {
   for (const auto& [name, table] : tables())
   {
-    expectLikeVTK(name, table,
-      numbers(vtkSmartPointer<vtkDoubleArray>::New(), 3, ColoredGrid::points, false), false, -1);
+    for (const int components : { 1, 2, 3 })
+    {
+      expectLikeVTK(name, table,
+        numbers(vtkSmartPointer<vtkDoubleArray>::New(), components, ColoredGrid::points, false),
+        false, -1);
+    }
   }
 }
 
