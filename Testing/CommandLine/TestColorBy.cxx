@@ -76,7 +76,7 @@ TEST(ColorBy, AllInputsShareOneRange)
   const auto low = Triangle(), high = Triangle(), other = Triangle();
   low->GetPointData()->AddArray(Numbers<vtkDoubleArray>("t", 1, { -1, std::nan(""), 2 }));
   high->GetCellData()->AddArray(Numbers<vtkFloatArray>("t", 1, { 9 }));
-  const auto tracer = Scene({ "--color-by", "t", "--color", "red" }, { low, other, high });
+  const auto tracer = Scene({ "--color-by", "t", "--color", "red" }, { low, other, high, low });
   double range[2];
   ASSERT_TRUE(tracer->GetInputScalarRange(0, range));
   EXPECT_EQ(range[0], -1);

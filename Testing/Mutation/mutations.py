@@ -86,6 +86,9 @@ BLOCKS = "Rendering/InputBlocks.cxx"
 SURFACE_FROM_VTK = "Rendering/SurfaceFromVTK.cxx"
 OUTPUT_IMAGE = "Rendering/OutputImage.cxx"
 SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
+COLOR_MAPS = "Rendering/CommandLine/ColorMaps.cxx"
+COLOR_BY = "Rendering/CommandLine/ColorBy.cxx"
+PLY_VERTICES = "Rendering/CommandLine/Reading/PlyVertices.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -528,4 +531,9 @@ MUTATIONS = [
      "the input of a block is its connection"),
     (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
      "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
+    (COLOR_MAPS, "ofA + ofB; // rounds", "0; // rounds", "entries between two knots are rounded"),
+    (COLOR_BY, "array->GetNumberOfComponents() > 1 ? Magnitude : 0", "0",
+     "several components are mapped by their magnitude"),
+    (PLY_VERTICES, "ColorScaleOf(element.properties[property].type) > 0;", "true;",
+     "properties that are not bytes or floats are no colours"),
 ]
