@@ -74,6 +74,7 @@ void WarnIfNothingIsSeen(const Options& options, const Meshes& meshes, bool areC
 std::string InWordsOfOptions(const std::string& error)
 {
   for (const auto& [method, option] : { std::pair("Call SetImageSize()", "Choose a smaller --size"),
+         std::pair("or call SetInputScalarVisibility() with false", "or give a --color"),
          std::pair("Call vtkCamera::SetViewUp()", "Choose another --view-up"),
          std::pair("Move one of them with vtkCamera", "Move --camera-position or --focal-point") })
   {

@@ -181,6 +181,13 @@ std::string CameraOptions(const Options& options)
 std::string WhyNothingIsHit(const Options& options,
   const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, vtkCamera* camera)
 {
+  const std::string given = CameraOptions(options);
+  const std::string tryWithout = given.empty() ? "" : "; try without " + given;
+  if (options.spheres)
+  {
+    return "no sphere is hit; try a larger radius in --spheres" +
+      (given.empty() ? "" : ", or try without " + given);
+  }
   Faces faces;
   const View view(camera, *options.size);
   for (vtkPolyData* mesh : meshes)
@@ -188,8 +195,6 @@ std::string WhyNothingIsHit(const Options& options,
     AddCells(faces, view, mesh, mesh->GetPolys());
     AddCells(faces, view, mesh, mesh->GetStrips());
   }
-  const std::string given = CameraOptions(options);
-  const std::string tryWithout = given.empty() ? "" : "; try without " + given;
   if (faces.count == 0) // missing faces and NaN points have already caused warnings
   {
     return faces.hasTooFewCorners ? "none of the faces has three corners" : "";

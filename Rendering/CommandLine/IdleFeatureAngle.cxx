@@ -24,6 +24,10 @@ std::string WhyFeatureAngleIsIdle(
     return noEffect + " with --shading " + (options.shading == Shading::Flat ? "flat" : "unlit") +
       "; omit one of them";
   }
+  if (options.spheres && options.spheres->array.empty())
+  {
+    return noEffect + " with --spheres; omit one of them";
+  }
   bool isAnyDrawn = false;
   for (vtkPolyData* mesh : meshes)
   {

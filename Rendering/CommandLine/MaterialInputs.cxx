@@ -68,7 +68,7 @@ vtkSmartPointer<vtkTexture> TextureOf(const Look& look)
 
 bool ShowsMaterials(const Options& options)
 {
-  return options.color == Options().color;
+  return !options.color && options.colors.array.empty();
 }
 
 MaterialInputs::MaterialInputs(const Meshes& meshes, const std::vector<MeshLooks>& looks)

@@ -25,6 +25,13 @@ struct Failure : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// An option's value does not fit the files, such as the name of an array that they do not have.
+/// The command ends as after any other wrong usage.
+struct WrongUsage : Failure
+{
+  using Failure::Failure;
+};
+
 /// Reduces VTK's "ERROR: In file, line n\nclass (0x..): text\n\n" to the text, in one line.
 std::string OneLine(const std::string& message);
 

@@ -94,7 +94,8 @@ bool IsAllBlack(vtkImageData* picture)
 vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
 {
   options.shading = Shading::Unlit;
-  options.color = { 1, 1, 1 };
+  options.color = Triple{ 1, 1, 1 };
+  options.colors = ColorOptions();
   return DrawOnBlack(options, meshes);
 }
 
@@ -157,15 +158,23 @@ const std::vector<Experiment>& Experiments()
       "another color in --light" },
     { [](Options& options, LightValue&) { return Set(options.shading, Shading::Flat); },
       "the normals of the mesh are invalid or point away from the light; try --shading flat" },
+    { [](Options& options, LightValue&)
+      {
+        const bool hasColors = Set(options.colors.array, std::string());
+        return Set(options.color, std::optional<Triple>({ 1, 1, 1 })) || hasColors;
+      },
+      "the data has black colours where it is visible; try another --colormap, --range or "
+      "--color" },
   };
   return experiments;
 }
 
 std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 {
-  const bool reflectsDiffuse = options.diffuse > 0 && !IsBlack(options.color);
+  const Triple color = options.color.value_or(Triple{ 1, 1, 1 });
+  const bool reflectsDiffuse = options.diffuse > 0 && !IsBlack(color);
   const bool reflectsAmbient =
-    options.ambient > 0 && !IsBlack(options.ambientColor.value_or(options.color));
+    options.ambient > 0 && !IsBlack(options.ambientColor.value_or(color));
   if (options.shading == Shading::Unlit || (!reflectsDiffuse && !reflectsAmbient))
   {
     return "all visible faces are black; try another --color, --diffuse or --ambient";

@@ -9,8 +9,8 @@
 #include "Formats.h"
 #include "Messages.h"
 #include "Recipe.h"
+#include "SurfaceOptions.h"
 
-#include <map>
 #include <set>
 
 namespace lambent::command
@@ -38,6 +38,13 @@ Reads VTK's files, .ply .stl .obj .off .gltf .fbx and others, and all of them gz
 an array has a value, and the first step of a time series. Several inputs form one scene.
 Writes .png .jpg .tif .bmp .pnm .vti; an existing file is replaced only by a complete new one.
 
+Colours come from the files, if they have any (PLY and OBJ vertices, or bytes of red, green and
+blue as active scalars); --color turns that off. --color-by shows an array (point:NAME or
+cell:NAME if both kinds have that name; otherwise the point array) in the colours of --colormap:
+  viridis plasma inferno magma cividis turbo coolwarm gray x-ray rainbow jet hot black-body cool
+  bone copper bwr seismic hsv
+_r at the end of a name reverses the colours. 'lambent FILE --list' shows the arrays of a file.
+
 A pass stores what the middle sample of each pixel sees: depth, normals, positions, ids (of cells),
 input-ids, or an array of the inputs (point:NAME or cell:NAME if both kinds have that name).
 --pass depth=depth.tif writes it to a file, .tif (32-bit floats) or .vti. A .vti picture holds all
@@ -48,7 +55,9 @@ passes, so the file may be omitted.
 Exit status: 0 success, and with --compare no difference; 1 different or failed (one line says
 why); 2 wrong usage.
 
-Example: lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1)";
+Examples:
+  lambent dragon.ply -o dragon.png --direction 1,0.5,2 --color wheat --ambient 0.1
+  lambent engine.vtu -o engine.png --color-by temperature --log --range 1,1000)";
 
 /// A whole number from 1 to the largest.
 int ParseCount(const std::string& text, int largest)
@@ -111,44 +120,6 @@ void AddLights(CLI::App& app, Options& options)
     "a light at the camera [on if there is no --light]");
 }
 
-void AddSurface(CLI::App& app, Options& options)
-{
-  const auto fraction = [](const std::string& text) { return ParseNumber(text, 0, 1); };
-  AddValue(app, "--diffuse", "F", options.diffuse, fraction, "diffuse reflection, 0..1 [1]");
-  AddValue(app, "--ambient", "F", options.ambient, fraction, "ambient reflection, 0..1 [0]");
-  AddValue(app, "--color", "COLOUR", options.color, ParseColor, "colour of the surfaces [white]");
-  AddValue(app, "--ambient-color", "COLOUR", options.ambientColor, ParseColor,
-    "colour of the ambient reflection [as --color]");
-
-  const std::map<std::string, Shading> shadings = { { "smooth", Shading::Smooth },
-    { "flat", Shading::Flat }, { "unlit", Shading::Unlit } };
-  AddValue(
-    app, "--shading", "smooth|flat|unlit", options.shading,
-    [shadings](const std::string& text)
-    {
-      const auto found = shadings.find(text);
-      return found != shadings.end()
-        ? found->second
-        : throw BadValue("'" + text + "' is not smooth, flat or unlit");
-    },
-    "[smooth]");
-  AddValue(
-    app, "--feature-angle", "DEG", options.featureAngle,
-    [](const std::string& text) { return ParseNumber(text, 0, 180); },
-    "meshes without normals: sharper edges stay sharp; 180: all edges are smooth [30]");
-  const std::map<std::string, AmbientModel> models = { { "per-light", AmbientModel::PerLight },
-    { "scene", AmbientModel::Scene } };
-  AddValue(
-    app, "--ambient-model", "per-light|scene", options.ambientModel,
-    [models](const std::string& text)
-    {
-      const auto found = models.find(text);
-      return found != models.end() ? found->second
-                                   : throw BadValue("'" + text + "' is not per-light or scene");
-    },
-    "add the ambient term for each light, or once [per-light]");
-}
-
 void AddRunning(CLI::App& app, Options& options, const std::string& version)
 {
   AddValue(
@@ -157,6 +128,8 @@ void AddRunning(CLI::App& app, Options& options, const std::string& version)
   CLI::Option* quiet =
     app.add_flag("--quiet", options.quiet, "no progress bar and no warnings, only errors");
   app.add_flag("--verbose", options.verbose, "report each step and its time")->excludes(quiet);
+  app.add_flag("--list", options.list,
+    "print the points, cells, bounds, blocks and arrays of the inputs, and draw nothing");
   app
     .add_flag_callback(
       "--formats", [] { throw CLI::CallForVersion(DescribeFormats(), 0); },
@@ -170,29 +143,31 @@ std::string IsPng(const std::string& path)
   return PictureKindOf(path) == PictureKind::Png ? "" : "'" + path + "' does not end in .png";
 }
 
-/// Rejects options about the scene beside --recreate: the picture already defines its scene.
-void CheckRecreate(const CLI::App& app)
+/// Throws if other options than these are given beside `name`.
+void AllowOnly(const CLI::App& app, const std::string& name, const std::set<std::string>& fitting)
 {
-  static const std::set<std::string> fitting = { "recreate", "output", "pass", "threads", "quiet",
-    "verbose" };
   for (const CLI::Option* option : app.get_options())
   {
     if (option->count() > 0 && fitting.count(option->get_single_name()) == 0)
     {
-      throw CLI::ExcludesError("--recreate", option->get_name());
+      throw CLI::ExcludesError(name, option->get_name());
     }
   }
 }
 
 void CheckFiles(const CLI::App& app, const Options& options)
 {
-  if (!options.recreate.empty())
+  if (!options.recreate.empty()) // the picture defines its scene
   {
-    CheckRecreate(app);
+    AllowOnly(app, "--recreate", { "recreate", "output", "pass", "threads", "quiet", "verbose" });
   }
   else if (options.inputs.empty())
   {
     throw CLI::RequiredError("INPUT");
+  }
+  else if (options.list)
+  {
+    AllowOnly(app, "--list", { "list", "INPUT", "quiet" });
   }
   else if (app.count("--output") == 0 && options.comparison.baseline.empty())
   {
@@ -249,6 +224,7 @@ Parsed ParseOptions(int argc, const char* const* argv, const std::string& versio
     app.parse(argc, argv);
     CheckFiles(app, parsed.options);
     CheckFilm(parsed.options);
+    CheckColors(app, parsed.options);
     parsed.options.recipe = parsed.options.recreate.empty() ? MakeRecipe(app, parsed.options) : "";
   }
   catch (const CLI::CallForHelp&)

@@ -11,6 +11,8 @@
 #ifndef Options_h
 #define Options_h
 
+#include "ColorMaps.h"
+#include "DataValues.h"
 #include "PassValue.h"
 #include "Values.h"
 
@@ -28,6 +30,9 @@ constexpr Triple DefaultDirection{ 2, 1.5, 4 };
 /// The default before version 2 of the image contract, for recipes that name no direction.
 constexpr Triple FormerDirection{ 0, 0, 1 };
 
+/// The value of `--color` in recipes that do not name it: older versions ignored colours in files.
+constexpr const char* FormerColor = "white";
+
 /// Samples along each axis of a pixel: the default, and that of recipes that do not name it.
 constexpr int DefaultSupersampling = 3, FormerSupersampling = 1;
 
@@ -42,6 +47,13 @@ enum class AmbientModel
 {
   PerLight,
   Scene
+};
+
+enum class Representation
+{
+  Surface,
+  Wireframe,
+  Points
 };
 
 enum class Metric
@@ -59,6 +71,16 @@ struct ComparisonOptions
   std::string difference; ///< picture to write; empty: none
   std::string report;     ///< HTML file to write or add to; empty: none
   std::string name;       ///< in the report; empty: the picture's path, or the baseline's
+};
+
+/// Colours from an array of the inputs.
+struct ColorOptions
+{
+  std::string array;                          ///< of `--color-by`, as it was typed; empty: none
+  std::optional<std::string> map;             ///< absent: DefaultColorMap
+  std::optional<std::array<double, 2>> range; ///< absent: that of the array's finite numbers
+  bool isLogarithmic = false;
+  std::optional<Triple> nan; ///< absent: that of vtkLookupTable
 };
 
 struct Options
@@ -96,8 +118,20 @@ struct Options
   AmbientModel ambientModel = AmbientModel::PerLight;
   double diffuse = 1;
   double ambient = 0;
-  Triple color{ 1, 1, 1 };
+  std::optional<Triple> color;        ///< absent: the colours in the files, or else white
   std::optional<Triple> ambientColor; ///< absent: as `color`
+  double specular = 0;
+  double specularPower = 1;
+  double opacity = 1;
+  Representation representation = Representation::Surface;
+  bool edges = false;
+  std::optional<Triple> edgeColor; ///< absent: black
+  double lineWidth = 1;            ///< pixels
+  double pointSize = 1;            ///< pixels
+  std::optional<SpheresValue> spheres;
+  ColorOptions colors;
+
+  bool list = false; ///< describe the inputs instead of drawing them
 
   int threads = 0; ///< 0: VTK's default
   bool quiet = false;

@@ -3,6 +3,7 @@
 
 #include "Passes.h"
 #include "FileKinds.h"
+#include "InputArrays.h"
 #include "Messages.h"
 #include "Progress.h"
 #include "WritePicture.h"
@@ -32,48 +33,6 @@ using Meshes = std::vector<vtkSmartPointer<vtkPolyData>>;
 using Content = PassValue::Content;
 using Association = PassValue::Association;
 
-vtkDataSetAttributes* AttributesOf(vtkPolyData* mesh, Association association)
-{
-  return association == Association::Points
-    ? static_cast<vtkDataSetAttributes*>(mesh->GetPointData())
-    : static_cast<vtkDataSetAttributes*>(mesh->GetCellData());
-}
-
-bool HasArray(const Meshes& meshes, Association association, const std::string& name)
-{
-  return std::any_of(meshes.begin(), meshes.end(),
-    [&](vtkPolyData* mesh)
-    { return AttributesOf(mesh, association)->GetArray(name.c_str()) != nullptr; });
-}
-
-/// Lists the arrays of the meshes: "point:temperature, cell:region" or "none".
-std::string ListArrays(const Meshes& meshes)
-{
-  std::string list;
-  for (const Association association : { Association::Points, Association::Cells })
-  {
-    std::set<std::string> names;
-    for (vtkPolyData* const mesh : meshes)
-    {
-      vtkDataSetAttributes* const arrays = AttributesOf(mesh, association);
-      for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
-      {
-        const char* const name = arrays->GetArray(k) ? arrays->GetArrayName(k) : nullptr;
-        if (name && !IsOwnArray(name)) // GetArray() is null for arrays of strings
-        {
-          names.insert(name);
-        }
-      }
-    }
-    for (const std::string& name : names)
-    {
-      list += (list.empty() ? "" : ", ") +
-        std::string(association == Association::Points ? "point:" : "cell:") + name;
-    }
-  }
-  return list.empty() ? "none" : list;
-}
-
 /// Finds out whether the array of a pass belongs to points or cells. Throws Failure if it is both
 /// or neither.
 Association FindArray(const PassValue& pass, const Meshes& meshes)
@@ -90,8 +49,11 @@ Association FindArray(const PassValue& pass, const Meshes& meshes)
   }
   if (!isOfPoints && !isOfCells)
   {
-    throw Failure("--pass " + pass.text + ": no input has such an array; the arrays are: " +
-      ListArrays(meshes) + "; other passes are: depth, normals, positions, ids, input-ids");
+    ArrayList forPasses;
+    forPasses.withOwn = false;
+    throw Failure("--pass " + pass.text +
+      ": no input has such an array; the arrays are: " + ListArrays(meshes, forPasses) +
+      "; other passes are: depth, normals, positions, ids, input-ids");
   }
   return isOfPoints ? Association::Points : Association::Cells;
 }

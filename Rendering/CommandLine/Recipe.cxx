@@ -3,6 +3,7 @@
 
 #include "Recipe.h"
 #include "Messages.h"
+#include "SurfaceOptions.h"
 
 #include "vtkLambentPNGReader.h"
 #include "vtkLambentRayTracer.h"
@@ -65,6 +66,10 @@ Options ParseRecipe(const std::string& command)
   {
     words.insert(words.end(), { "--direction", TextOf(FormerDirection) });
   }
+  if (!HasOption(words, "--color")) // nor --color-by, which always comes with it
+  {
+    words.insert(words.end(), { "--color", FormerColor });
+  }
   if (!HasOption(words, "--supersampling"))
   {
     words.insert(words.end(), { "--supersampling", std::to_string(FormerSupersampling) });
@@ -104,6 +109,10 @@ std::string MakeRecipe(const CLI::App& app, const Options& options)
     {
       const bool isFlag = option->get_items_expected() == 0;
       recipe += " " + full + (isFlag ? "" : " " + Quoted(option->results().back()));
+    }
+    else if (full == "--color")
+    {
+      recipe += " --color " + std::string(ColorsOfFiles);
     }
     else if (full == "--direction" && !options.direction && !options.cameraPosition)
     {

@@ -6,11 +6,11 @@
  *
  * A PNG file holds two texts: the version of the image contract, and the command that renders the
  * picture again. The command has the inputs and the scene's options as they were typed, in a fixed
- * order and quoted for the shell. It always has the direction of view and the supersampling, even
- * if they were not given, because the defaults have changed: a command without them was written by
- * an older version (see FormerDirection, FormerSupersampling). The command does not record when,
- * where or by whom the picture was rendered, so a picture that is rendered again from its text is
- * the same file.
+ * order and quoted for the shell. It always has the direction of view, the colour and the
+ * supersampling, even if they were not given, because the defaults have changed: a command without
+ * them was written by an older version (see FormerDirection, FormerColor, FormerSupersampling). The
+ * command does not record when, where or by whom the picture was rendered, so a picture that is
+ * rendered again from its text is the same file.
  */
 
 #ifndef Recipe_h

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "Scene.h"
+#include "DataColors.h"
 #include "Messages.h"
 
 #include "vtkLambentRayTracer.h"
@@ -189,14 +190,25 @@ vtkSmartPointer<vtkLight> MakeLight(const LightValue& value, const Triple& camer
 vtkSmartPointer<vtkProperty> MakeProperty(const Options& options)
 {
   auto property = vtkSmartPointer<vtkProperty>::New();
-  Triple color = options.color;
-  Triple ambientColor = options.ambientColor.value_or(options.color);
+  Triple color = options.color.value_or(Triple{ 1, 1, 1 });
+  Triple ambientColor = options.ambientColor.value_or(color);
+  Triple edgeColor = options.edgeColor.value_or(Triple{ 0, 0, 0 });
   property->SetDiffuse(options.diffuse);
   property->SetDiffuseColor(color.data());
   property->SetAmbient(options.ambient);
   property->SetAmbientColor(ambientColor.data());
   property->SetInterpolation(options.shading == Shading::Flat ? VTK_FLAT : VTK_PHONG);
   property->SetLighting(options.shading != Shading::Unlit);
+  property->SetSpecular(options.specular);
+  property->SetSpecularPower(options.specularPower);
+  property->SetOpacity(options.opacity);
+  property->SetRepresentation(options.representation == Representation::Wireframe ? VTK_WIREFRAME
+      : options.representation == Representation::Points                          ? VTK_POINTS
+                                                                                  : VTK_SURFACE);
+  property->SetEdgeVisibility(options.edges || options.edgeColor);
+  property->SetEdgeColor(edgeColor.data());
+  property->SetLineWidth(static_cast<float>(options.lineWidth));
+  property->SetPointSize(static_cast<float>(options.pointSize));
   return property;
 }
 
@@ -206,10 +218,7 @@ vtkSmartPointer<vtkLambentRayTracer> MakeScene(
   const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes)
 {
   auto tracer = vtkSmartPointer<vtkLambentRayTracer>::New();
-  for (vtkPolyData* mesh : meshes)
-  {
-    tracer->AddInputDataObject(0, mesh);
-  }
+  AddMeshes(options, meshes, tracer);
   tracer->SetImageSize((*options.size)[0], (*options.size)[1]);
   tracer->SetSupersampling(options.supersampling.value_or(FormerSupersampling));
   Triple background = options.background;

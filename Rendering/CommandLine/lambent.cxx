@@ -7,9 +7,11 @@
 
 #include "CheckPolygons.h"
 #include "Compare.h"
+#include "DataColors.h"
 #include "DrawPicture.h"
 #include "FileKinds.h"
-#include "IdleFeatureAngle.h"
+#include "IdleOptions.h"
+#include "ListFile.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Passes.h"
@@ -48,48 +50,19 @@ Meshes ReadMeshes(
   std::optional<ContourValue> contour = options.contour;
   if (contour)
   {
-    contour->keepsArrays = !options.passes.empty();
+    contour->keepsArrays =
+      !options.passes.empty() || !options.colors.array.empty() || options.spheres;
   }
   Meshes meshes;
   for (const std::string& path : options.inputs)
   {
-    meshes.push_back(ReadSurface(path, messages, progress, contour));
+    meshes.push_back(ReadSurface(path, messages, progress, contour, options.spheres.has_value()));
     looks.push_back(
       ShowsMaterials(options) ? ReadLooks(meshes.back(), path, messages, progress) : MeshLooks());
     progress.Erase();
     messages.FlushWarnings("'" + path + "': ");
   }
   return meshes;
-}
-
-/// Warns if the feature angle has no effect, and drops it: the ray tracer's own warning would name
-/// methods instead of options.
-void DropIdleFeatureAngle(Options& options, const Meshes& meshes)
-{
-  const std::string reason = WhyFeatureAngleIsIdle(options, meshes);
-  if (!reason.empty())
-  {
-    options.featureAngle.reset();
-    if (!options.quiet)
-    {
-      Say("warning: " + reason);
-    }
-  }
-}
-
-/// Does the same with a background colour that an image hides.
-void DropIdleBackground(Options& options, vtkImageData* image)
-{
-  const Triple black{ 0, 0, 0 };
-  if (image && image->GetNumberOfScalarComponents() % 2 == 1 && options.background != black)
-  {
-    options.background = black;
-    if (!options.quiet)
-    {
-      Say("warning: --background has no effect, because '" + options.backgroundImage +
-        "' has no alpha channel; omit one of them");
-    }
-  }
 }
 
 /// The size in the options, or else the baseline's.
@@ -145,6 +118,11 @@ void Report(const Options& options, const Meshes& meshes, const Stopwatch& stopw
   std::fprintf(
     stderr, "samples    %d x %d per pixel\n", *options.supersampling, *options.supersampling);
   std::fprintf(stderr, "triangles  %lld\n", static_cast<long long>(triangles));
+  const std::string colors = DescribeColors(options, meshes);
+  if (!colors.empty())
+  {
+    std::fprintf(stderr, "colours    %s\n", colors.c_str());
+  }
   for (const auto& [stage, milliseconds] : stopwatch.GetLaps())
   {
     std::fprintf(stderr, "%-10s %.1f ms\n", stage.c_str(), milliseconds);
@@ -194,13 +172,12 @@ bool Draw(Options options, VtkMessages& messages)
   Stopwatch stopwatch;
   std::vector<MeshLooks> looks;
   const Meshes meshes = ReadMeshes(options, looks, messages, progress);
-  DropIdleFeatureAngle(options, meshes);
   vtkSmartPointer<vtkImageData> background;
   if (!options.backgroundImage.empty())
   {
     background = ReadBackground(options.backgroundImage, messages, progress);
-    DropIdleBackground(options, background);
   }
+  DropIdleOptions(options, meshes, background);
   stopwatch.Lap("reading");
   const Drawing drawing =
     DrawPicture(options, meshes, looks, background, messages, progress, stopwatch);
@@ -229,9 +206,28 @@ bool Draw(Options options, VtkMessages& messages)
   return passed;
 }
 
+/// Prints what the inputs hold.
+void List(const Options& options, VtkMessages& messages)
+{
+  Progress progress(!options.quiet);
+  for (const std::string& path : options.inputs)
+  {
+    const std::string listing = ListFile(path, messages, progress);
+    progress.Erase();
+    messages.FlushWarnings("'" + path + "': ");
+    std::fputs((&path == &options.inputs.front() ? "" : "\n"), stdout);
+    std::fputs(listing.c_str(), stdout);
+  }
+}
+
 bool Run(const Options& options)
 {
   VtkMessages messages(!options.quiet);
+  if (options.list)
+  {
+    List(options, messages);
+    return true;
+  }
   const Options all = options.recreate.empty() ? options : ReadRecipe(options);
   ProtectFiles(all);
   if (!all.picture.empty())
@@ -262,6 +258,12 @@ int main(int argc, char* argv[])
   try
   {
     return Run(parsed.options) ? 0 : 1;
+  }
+  catch (const WrongUsage& error)
+  {
+    Say(OneLine(error.what()));
+    std::fputs("Try 'lambent --help'.\n", stderr);
+    return 2;
   }
   catch (const std::exception& error) // a Failure; anything else is most likely out of memory
   {

@@ -4,6 +4,8 @@
 #include "ReadFrom.h"
 #include "ReadPly.h"
 
+#include "vtkUnsignedCharArray.h"
+
 using namespace lambent::command;
 
 namespace
@@ -235,4 +237,70 @@ TEST(ReadPly, NormalsBelongToTheVerticesInUse)
       "end_header\n0 0 0 1 0 0\n1 1 1\n2 2 2\n");
   EXPECT_EQ(outcome.mesh->GetNumberOfPoints(), 2);
   EXPECT_EQ(NormalsOf(outcome), Rows());
+}
+
+namespace
+{
+
+/// The colours of two vertices, whose properties and values follow x, y and z.
+vtkSmartPointer<vtkUnsignedCharArray> ColorsOf(
+  const std::string& properties, const std::string& first, const std::string& second)
+{
+  const auto mesh = ReadText("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                             "property float y\nproperty float z\n" +
+    properties + "end_header\n0 0 0 " + first + "\n1 1 1 " + second + "\n");
+  return vtkUnsignedCharArray::SafeDownCast(mesh->GetPointData()->GetScalars());
+}
+
+std::string Properties(const std::string& type, const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += "property " + type + " " + name + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+TEST(ReadPly, ColorsAreActiveScalars)
+{
+  const auto rgb = ColorsOf(Properties("uchar", { "red", "green", "blue" }), "255 128 0", "1 2 3");
+  ASSERT_TRUE(rgb);
+  EXPECT_STREQ(rgb->GetName(), "RGB");
+  EXPECT_EQ(RowsOf(rgb), (Rows{ { 255, 128, 0 }, { 1, 2, 3 } }));
+  // In any order, between other properties.
+  const auto rgba = ColorsOf(Properties("uint8", { "alpha", "blue", "confidence", "red", "green" }),
+    "4 3 9 1 2", "40 30 90 10 20");
+  ASSERT_TRUE(rgba);
+  EXPECT_STREQ(rgba->GetName(), "RGBA");
+  EXPECT_EQ(RowsOf(rgba), (Rows{ { 1, 2, 3, 4 }, { 10, 20, 30, 40 } }));
+}
+
+TEST(ReadPly, ColorsAsFloatsGoToOne)
+{
+  for (const char* const type : { "float", "double" })
+  {
+    const auto rgb =
+      ColorsOf(Properties(type, { "red", "green", "blue" }), "0 0.5 1", "-1 1e9 nan");
+    EXPECT_EQ(RowsOf(rgb), (Rows{ { 0, 128, 255 }, { 0, 255, 0 } })) << type;
+  }
+}
+
+TEST(ReadPly, OtherPropertiesAreNotColors)
+{
+  EXPECT_FALSE(ColorsOf(Properties("uchar", { "red", "green" }), "1 2", "3 4"));
+  EXPECT_FALSE(ColorsOf(Properties("int", { "red", "green", "blue" }), "1 2 3", "4 5 6"));
+  EXPECT_FALSE(ColorsOf(
+    Properties("uchar", { "red", "green" }) + Properties("float", { "blue" }), "1 2 3", "4 5 6"));
+  EXPECT_FALSE(
+    ColorsOf("property list uchar uchar red\n" + Properties("uchar", { "green", "blue" }),
+      "1 7 2 3", "0 5 6"));
+  // Alpha of another type is left out.
+  EXPECT_EQ(
+    ColorsOf(Properties("uchar", { "red", "green", "blue" }) + Properties("float", { "alpha" }),
+      "1 2 3 1", "4 5 6 1")
+      ->GetNumberOfComponents(),
+    3);
 }

@@ -74,7 +74,7 @@ class TestReadingKinds(CommandTest):
             with self.subTest(name):
                 self.write(name, content)
                 for shading in ("smooth", "flat"):
-                    rows = self.pixels(name, *FACE_ON, "--shading", shading)
+                    rows = self.pixels(name, *FACE_ON, "--shading", shading, "--color", "white")
                     self.assertEqual(rows, [[WHITE] * 9] * 9)
 
     def test_smoothing_groups_become_normals(self):

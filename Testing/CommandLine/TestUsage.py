@@ -24,7 +24,10 @@ class TestUsage(CommandTest):
                        "--shading", "--ambient-model", "--background", "--threads", "--quiet",
                        "--verbose", "--version", "--compare", "--metric", "--tolerance",
                        "--difference", "--report", "--name", "--recreate", "--contour",
-                       "--formats", "--alpha", "--background-image", "--pass"):
+                       "--formats", "--alpha", "--background-image", "--pass", "--color-by",
+                       "--colormap", "--range", "--log", "--nan-color", "--opacity", "--edges",
+                       "--edge-color", "--line-width", "--point-size", "--representation",
+                       "--spheres", "--specular", "--specular-power", "--list"):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 
@@ -48,14 +51,17 @@ class TestUsage(CommandTest):
 
     def test_numbers_are_finite_and_in_range(self):
         for option in ("--view-angle", "--parallel-scale", "--zoom", "--diffuse", "--ambient",
-                       "--threads", "--supersampling"):
+                       "--threads", "--supersampling", "--specular", "--specular-power", "--opacity",
+                       "--line-width", "--point-size"):
             for value in ("nan", "inf", "-inf", "1e999", "-1", "one", "", "1,2", "1x"):
                 self.assertIn(option, self.reject(option, value))
         for option, value in (("--view-angle", "0"), ("--view-angle", "180"),
                               ("--parallel-scale", "0"), ("--zoom", "0"), ("--diffuse", "1.1"),
                               ("--ambient", "2"), ("--threads", "0"), ("--threads", "1.5"),
                               ("--supersampling", "0"), ("--supersampling", "17"),
-                              ("--supersampling", "2.5")):
+                              ("--supersampling", "2.5"), ("--specular", "1.5"),
+                              ("--specular-power", "129"), ("--opacity", "2"),
+                              ("--line-width", "0"), ("--point-size", "0")):
             self.assertIn(option, self.reject(option, value))
 
     def test_vectors_are_three_finite_numbers(self):
@@ -66,7 +72,7 @@ class TestUsage(CommandTest):
             self.assertIn(option, self.reject(option, "0,0,0"))
 
     def test_invalid_colors_are_refused(self):
-        for option in ("--color", "--ambient-color", "--background"):
+        for option in ("--color", "--ambient-color", "--background", "--nan-color", "--edge-color"):
             for value in ("nosuchcolour", "#12345", "#1234567", "#gggggg", "1,0", "2,0,0",
                           "-0.1,0,0", "nan,0,0", ""):
                 self.assertIn(option, self.reject(option, value))
@@ -82,6 +88,7 @@ class TestUsage(CommandTest):
     def test_unknown_words_are_refused(self):
         self.assertIn("--shading", self.reject("--shading", "phong"))
         self.assertIn("--ambient-model", self.reject("--ambient-model", "lights"))
+        self.assertIn("points, surface, wireframe", self.reject("--representation", "lines"))
 
     def test_contradictory_options_are_refused(self):
         self.reject("--camera-position", "0,0,5", "--direction", "0,0,1")

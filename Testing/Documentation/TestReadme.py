@@ -89,7 +89,8 @@ class EveryPage(unittest.TestCase):
         self.assertEqual(whole["Examples/README.md"],
                          {"Examples/Cxx/QuickStart.cxx", "Examples/Cxx/CMakeLists.txt"})
         self.assertEqual(whole["Rendering/Python/README.md"], {"Examples/Python/test_pictures.py"})
-        self.assertEqual(whole["Rendering/CommandLine/README.md"], {"Examples/CommandLine/passes.sh"})
+        self.assertEqual(whole["Rendering/CommandLine/README.md"],
+                         {"Examples/CommandLine/colours.sh", "Examples/CommandLine/passes.sh"})
 
     def test_every_code_block_is_a_quote(self):
         for page in documents.pages():

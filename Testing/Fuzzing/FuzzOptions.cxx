@@ -63,13 +63,37 @@ void checkFilm(const Options& options)
   }
 }
 
+void checkSurfaces(const Options& options)
+{
+  const auto isPositive = [](double value) { return value > 0 && std::isfinite(value); };
+  require(options.specular >= 0 && options.specular <= 1, "specular lies between 0 and 1");
+  require(options.specularPower >= 0 && options.specularPower <= 128, "the power is one of VTK's");
+  require(options.opacity >= 0 && options.opacity <= 1, "opacity lies between 0 and 1");
+  require(isPositive(options.lineWidth) && isPositive(options.pointSize), "sizes are positive");
+  require(!options.spheres || isPositive(options.spheres->radius), "radii are positive");
+  requireColor(options.edgeColor.value_or(Triple{}));
+  const ColorOptions& colors = options.colors;
+  requireColor(colors.nan.value_or(Triple{}));
+  require(
+    !colors.array.empty() || (!colors.map && !colors.range && !colors.isLogarithmic && !colors.nan),
+    "the scale belongs to an array");
+  require(!colors.map || FindColorMap(*colors.map), "the map is known");
+  if (colors.range)
+  {
+    const auto [low, high] = *colors.range;
+    require(std::isfinite(low) && std::isfinite(high) && low <= high, "the range is upright");
+    require(!colors.isLogarithmic || low > 0, "logarithms need numbers above 0");
+  }
+}
+
 void check(const Options& options)
 {
   checkFilm(options);
+  checkSurfaces(options);
   require(!options.inputs.empty() + !options.picture.empty() + !options.recreate.empty() == 1,
     "there are inputs, or a picture to compare or to recreate");
-  require(
-    !options.output.empty() || !options.comparison.baseline.empty() || !options.recreate.empty(),
+  require(options.list || !options.output.empty() || !options.comparison.baseline.empty() ||
+      !options.recreate.empty(),
     "there is something to do");
   require(options.picture.empty() || !options.comparison.baseline.empty(),
     "a picture is compared with a baseline");
@@ -87,8 +111,8 @@ void check(const Options& options)
   require(!(options.cameraPosition && options.direction),
     "the camera is placed by its position or by a direction, not both");
   requireColor(options.background);
-  requireColor(options.color);
-  requireColor(options.ambientColor.value_or(options.color));
+  requireColor(options.color.value_or(Triple{}));
+  requireColor(options.ambientColor.value_or(Triple{}));
   for (const auto& v :
     { options.cameraPosition, options.focalPoint, options.viewUp, options.direction })
   {

@@ -94,6 +94,9 @@ SCENE_FROM_SETTINGS = "Rendering/SceneFromSettings.cxx"
 SORTED_LAYERS = "Rendering/Core/Cast/SortedLayers.cxx"
 SAMPLE_SHADING = "Rendering/Core/SampleShading.cxx"
 LAYER_PAINTING = "Rendering/Core/LayerPainting.cxx"
+COLOR_MAPS = "Rendering/CommandLine/ColorMaps.cxx"
+COLOR_BY = "Rendering/CommandLine/ColorBy.cxx"
+PLY_VERTICES = "Rendering/CommandLine/Reading/PlyVertices.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -570,4 +573,9 @@ MUTATIONS = [
     (SURFACE_COLOR, "    opacity = opacity *\n", "    opacity =\n", "alpha multiplies the opacity"),
     (COLORS, "isAny = isAny || bytes[(k + 1) * step - 1] != 255;", "",
      "alpha of arrays is used"),
+    (COLOR_MAPS, "ofA + ofB; // rounds", "0; // rounds", "entries between two knots are rounded"),
+    (COLOR_BY, "array->GetNumberOfComponents() > 1 ? Magnitude : 0", "0",
+     "several components are mapped by their magnitude"),
+    (PLY_VERTICES, "ColorScaleOf(element.properties[property].type) > 0;", "true;",
+     "properties that are not bytes or floats are no colours"),
 ]

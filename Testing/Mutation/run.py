@@ -22,6 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The tests for a file, by the beginning of its path; the first match counts.
 TESTS = (("Rendering/Core/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
          ("Filters/Base/", ("TestLambentArithmetic", "TestLambentCore", "TestLambentRendering")),
+         ("Rendering/CommandLine/", ("TestLambentCommandLine",)),
          ("Rendering/", ("TestLambentRendering",)),
          ("Filters/Core/TriangleNormals", ("TestLambentRendering",)),
          ("Filters/SpansFromVTK", ("TestLambentRendering",)),

@@ -18,16 +18,13 @@ namespace lambent::command
 namespace
 {
 
+using Convert = std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>;
+
 vtkSmartPointer<vtkPolyData> ReadFormat(const Format& format, const std::string& path,
-  const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress)
+  const Convert& convert, VtkMessages& messages, Progress& progress)
 {
   const auto read = [&]() -> vtkSmartPointer<vtkPolyData>
-  {
-    const vtkSmartPointer<vtkDataObject> data = format.read(path, messages, progress);
-    const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, contour, messages, progress);
-    CheckPolygons(mesh, data);
-    return mesh;
-  };
+  { return convert(format.read(path, messages, progress)); };
   if (TrustIn(format, path) == Trust::Checked)
   {
     return read();
@@ -47,12 +44,12 @@ std::string Renamed(std::string text, const std::string& temporary, const std::s
 }
 
 vtkSmartPointer<vtkPolyData> ReadGzipped(const Format& format, const std::string& path,
-  const std::optional<ContourValue>& contour, VtkMessages& messages, Progress& progress)
+  const Convert& convert, VtkMessages& messages, Progress& progress)
 {
   const UnpackedFile unpacked(path, format.hasParts);
   try
   {
-    return ReadFormat(format, unpacked.GetPath(), contour, messages, progress);
+    return ReadFormat(format, unpacked.GetPath(), convert, messages, progress);
   }
   catch (const std::exception& reason)
   {
@@ -63,7 +60,22 @@ vtkSmartPointer<vtkPolyData> ReadGzipped(const Format& format, const std::string
 } // namespace
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& messages,
-  Progress& progress, const std::optional<ContourValue>& contour)
+  Progress& progress, const std::optional<ContourValue>& contour, bool drawsPoints)
+{
+  return ReadAs(path, messages, progress,
+    [&](vtkDataObject* data)
+    {
+      const vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data, contour, messages, progress);
+      if (!drawsPoints || mesh->GetNumberOfPoints() == 0)
+      {
+        CheckPolygons(mesh, data);
+      }
+      return mesh;
+    });
+}
+
+vtkSmartPointer<vtkPolyData> ReadAs(
+  const std::string& path, VtkMessages& messages, Progress& progress, const Convert& convert)
 {
   progress.Begin("reading " + path);
   try
@@ -72,8 +84,8 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& m
     CheckFile(path, known && known->mayBeEmpty);
     const Format& format = RequireFormat(path);
     const vtkSmartPointer<vtkPolyData> mesh = IsGzipped(path)
-      ? ReadGzipped(format, path, contour, messages, progress)
-      : ReadFormat(format, path, contour, messages, progress);
+      ? ReadGzipped(format, path, convert, messages, progress)
+      : ReadFormat(format, path, convert, messages, progress);
     return mesh;
   }
   catch (const std::exception& reason) // a Failure, or out of memory

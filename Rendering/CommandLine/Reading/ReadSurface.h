@@ -12,9 +12,11 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace lambent::command
@@ -29,10 +31,16 @@ class VtkMessages;
  * surface. The result is valid: every cell names existing points.
  *
  * Throws Failure if the file cannot be read completely. VTK's readers often return a part of a
- * truncated file; any error that they report is a Failure here.
+ * truncated file; any error that they report is a Failure here. Warns if there are no polygons,
+ * unless the points are drawn.
  */
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& path, VtkMessages& messages,
-  Progress& progress, const std::optional<ContourValue>& contour = std::nullopt);
+  Progress& progress, const std::optional<ContourValue>& contour = std::nullopt,
+  bool drawsPoints = false);
+
+/// Returns what `convert` makes of the data in a file. Throws Failure like ReadSurface().
+vtkSmartPointer<vtkPolyData> ReadAs(const std::string& path, VtkMessages& messages,
+  Progress& progress, const std::function<vtkSmartPointer<vtkPolyData>(vtkDataObject*)>& convert);
 
 } // namespace lambent::command
 

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Lambent authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "IdleOptions.h"
+#include "DataColors.h"
+#include "IdleFeatureAngle.h"
+#include "Messages.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+namespace lambent::command
+{
+namespace
+{
+
+void Warn(const Options& options, const std::string& reason)
+{
+  if (!options.quiet)
+  {
+    Say("warning: " + reason);
+  }
+}
+
+} // namespace
+
+void DropIdleOptions(Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
+  vtkImageData* background)
+{
+  const std::string whyAngle = WhyFeatureAngleIsIdle(options, meshes);
+  if (!whyAngle.empty())
+  {
+    options.featureAngle.reset();
+    Warn(options, whyAngle);
+  }
+  for (const std::string& why : WhyColorsAreIdle(options, meshes))
+  {
+    Warn(options, why);
+  }
+  const Triple black{ 0, 0, 0 };
+  if (background && background->GetNumberOfScalarComponents() % 2 == 1 &&
+    options.background != black)
+  {
+    options.background = black;
+    Warn(options,
+      "--background has no effect, because '" + options.backgroundImage +
+        "' has no alpha channel; omit one of them");
+  }
+}
+
+} // namespace lambent::command
