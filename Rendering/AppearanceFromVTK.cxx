@@ -2,12 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AppearanceFromVTK.h"
 
+#include "EdgesFromVTK.h"
 #include "Vec3FromVTK.h"
 
 #include "vtkProperty.h"
 
+#include <cmath>
+
 namespace lambent::adapters
 {
+namespace
+{
+bool isFinite(const EdgeStyle& style)
+{
+  return lambent::isFinite(style.color) && std::isfinite(style.opacity) &&
+    std::isfinite(style.width);
+}
+}
+
 Appearance appearanceFromVTK(vtkProperty* property)
 {
   Appearance result;
@@ -24,17 +36,25 @@ Appearance appearanceFromVTK(vtkProperty* property)
                                                : Shading::Smooth;
   result.cullFront = property->GetFrontfaceCulling() != 0;
   result.cullBack = property->GetBackfaceCulling() != 0;
+  result.edges = edgesFromVTK(property);
   return result;
 }
 
 std::string describeDefect(const Appearance& appearance)
 {
-  if (isFinite(appearance.diffuseColor) && isFinite(appearance.diffuseReflection()) &&
-    isFinite(appearance.ambientReflection()))
+  if (!lambent::isFinite(appearance.diffuseColor) ||
+    !lambent::isFinite(appearance.diffuseReflection()) ||
+    !lambent::isFinite(appearance.ambientReflection()))
   {
-    return "";
+    return "has a colour or coefficient that is not a finite number. Call SetColor(), "
+           "SetDiffuse() and SetAmbient() with finite ones.";
   }
-  return "has a colour or coefficient that is not a finite number. Call SetColor(), SetDiffuse() "
-         "and SetAmbient() with finite ones.";
+  if (appearance.edges.areVisible && !isFinite(appearance.edges))
+  {
+    return "has an edge colour, edge opacity or line width that is not a finite number. Call "
+           "SetEdgeColor(), SetEdgeOpacity() and SetLineWidth() with finite ones, or "
+           "EdgeVisibilityOff().";
+  }
+  return "";
 }
 }

@@ -43,9 +43,6 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
     "spheres with SetInputSphereRadius().");
   add(property->GetOpacity() != 1.0,
     "SetOpacity() has no effect; every surface is opaque. Set it back to 1, or remove the input.");
-  add(property->GetEdgeVisibility() != 0,
-    "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
-    "vtkExtractEdges and vtkTubeFilter.");
   add(property->GetVertexVisibility() != 0,
     "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
     "spheres with SetInputSphereRadius().");

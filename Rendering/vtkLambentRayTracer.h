@@ -71,8 +71,8 @@
  * and scale, and window centre. It ignores the clipping range; user transforms, off-axis
  * projection, view shear and explicit projection matrices are not supported. It depends on
  * vtkProperty's diffuse and ambient colours and coefficients, Interpolation, Lighting,
- * FrontfaceCulling and BackfaceCulling, but not on wireframe, points, opacity, specular
- * terms, textures and edges. A setting without effect causes a warning, once for as long
+ * FrontfaceCulling and BackfaceCulling, and its edges, but not on wireframe, points, opacity,
+ * specular terms and textures. A setting without effect causes a warning, once for as long
  * as it stays; this includes FeatureAngle and Splitting if they are changed although no
  * input needs computed normals. Shading multiplies up to six lengths, so coordinates and
  * distances must lie between about 1e-50 and 1e50.
@@ -159,6 +159,10 @@ public:
    * default) and VTK_PHONG shade with interpolated point normals. With Lighting off the
    * surface has the plain DiffuseColor. Default: none (nullptr), which means white,
    * ambient 0, diffuse 1, smooth.
+   *
+   * With EdgeVisibility, the edges of polygons, and of the triangles of strips, are drawn on them:
+   * LineWidth pixels wide, in the plain EdgeColor, and mixed with the surface by EdgeOpacity if VTK
+   * has that (9.3 and newer). Faces never hide their own edges. Passes do not show edges.
    */
   virtual void SetProperty(vtkProperty* property);
   vtkProperty* GetProperty() { return this->Property; }

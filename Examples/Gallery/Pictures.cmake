@@ -14,6 +14,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     ColoursFromData
     Crystal
     Diffuse
+    Edges
     FlatAndSmooth
     Passes
     SharpEdges

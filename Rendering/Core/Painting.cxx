@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Painting.h"
 
+#include "EdgeMixing.h"
 #include "PointKernel.h"
 #include "ShadingKernel.h"
 
@@ -17,7 +18,9 @@ FilmColor Painting::sampleColor(
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
-  return { this->Light.color(this->Points.at(primitive, samples.xs()[i], samples.ys()[j])), 1.0 };
+  const double x = samples.xs()[i], y = samples.ys()[j];
+  return { this->Edges.mixed(primitive, x, y, this->Light.color(this->Points.at(primitive, x, y))),
+    1.0 };
 }
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
@@ -45,6 +48,9 @@ void Painting::paint(
   {
     memory.passes = std::make_unique<PassMemory>();
   }
+  const Window& window = samples.window();
+  memory.edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
+    samples.ys()[window.height() - 1]);
   if (this->Target.target().samples == 1)
   {
     this->paintSamples(samples, primitives, memory);
@@ -74,9 +80,9 @@ void Painting::paintSamples(
   };
   for (int row = 0; row < samples.window().height(); ++row)
   {
-    this->paintRow(samples, primitives, row, memory.batch, background, store, points);
+    this->paintRow(samples, primitives, row, memory, background, store, points);
   }
-  this->shade(memory.batch, store, points);
+  this->shade(memory, store, points);
 }
 
 /// Computes the colours of the whole tile first, then the averages.
@@ -114,9 +120,9 @@ void Painting::paintAverages(
   };
   for (int row = 0; row < window.height(); ++row)
   {
-    this->paintRow(samples, primitives, row, memory.batch, background, store);
+    this->paintRow(samples, primitives, row, memory, background, store);
   }
-  this->shade(memory.batch, store);
+  this->shade(memory, store);
   for (int row = 0; row < pixels.height(); ++row)
   {
     const Window inRow{ pixels.i0, pixels.i1, pixels.j0 + row, pixels.j0 + row + 1 };
@@ -129,7 +135,7 @@ void Painting::paintAverages(
 /// Calls background(i, j, width) for pieces that hit nothing. Other pieces go to the batch.
 template <typename BackgroundOf, typename StoreTo>
 void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
-  SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+  PaintingMemory& memory, const BackgroundOf& background, const StoreTo& store,
   PointBatch* points) const
 {
   const Window& window = samples.window();
@@ -139,13 +145,13 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primiti
   {
     const int i = window.i0 + begin;
     const int width = std::min(SampleBatch::pieceSize, window.width() - begin);
-    if (!batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
+    if (!memory.batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
     {
       background(i, j, width);
     }
-    else if (batch.isFull())
+    else if (memory.batch.isFull())
     {
-      this->shade(batch, store, points);
+      this->shade(memory, store, points);
     }
   }
 }
@@ -153,23 +159,18 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primiti
 /// Shades the batch, and calls store(piece, channels) for each piece. Stores passes, too, if there
 /// is memory for surface points.
 template <typename StoreTo>
-void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* points) const
+void Painting::shade(PaintingMemory& memory, const StoreTo& store, PointBatch* points) const
 {
+  SampleBatch& batch = memory.batch;
   this->fillBackground(batch);
   RunRange range;
   while (range.moveOn(this->Points.mesh(), batch))
   {
-    const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
-    if (isOfPrimitives && range.isUnlit)
+    this->shadeRange(range, batch, points);
+    if (range.hasEdges)
     {
-      this->shadeUnlit(range, batch, points);
-      continue;
+      mixEdges(this->Edges, range, batch, memory.edges);
     }
-    if (isOfPrimitives && !range.appearance)
-    {
-      loadColors(range, batch);
-    }
-    shadeSamples(this->Points, this->Light, range, batch, points);
   }
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
@@ -181,6 +182,21 @@ void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* point
     this->Passes.store(batch, *points);
   }
   batch.clear();
+}
+
+void Painting::shadeRange(const RunRange& range, SampleBatch& batch, PointBatch* points) const
+{
+  const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
+  if (isOfPrimitives && range.isUnlit)
+  {
+    this->shadeUnlit(range, batch, points);
+    return;
+  }
+  if (isOfPrimitives && !range.appearance)
+  {
+    loadColors(range, batch);
+  }
+  shadeSamples(this->Points, this->Light, range, batch, points);
 }
 
 /// Gives the samples of a piece that hit nothing the colour of the background.

@@ -13,6 +13,7 @@
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
 
+#include "CellEdges.h"
 #include "Film.h"
 #include "LightModel.h"
 #include "PassPainting.h"
@@ -29,6 +30,7 @@ namespace lambent
 struct PaintingMemory
 {
   SampleBatch batch;
+  EdgesInTile edges;
   // Used if pixels have several samples.
   TileColors colors;
   std::vector<unsigned char> isHit;   ///< per row of pixels
@@ -42,6 +44,7 @@ public:
     const PassPainting& passes)
     : Points(points)
     , Light(light)
+    , Edges(points.triangles().mesh(), film.target().samples)
     , Target(film)
     , Passes(passes)
   {
@@ -67,20 +70,22 @@ private:
     const TileSamples& samples, const std::uint32_t* primitives, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>
   void paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
-    SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+    PaintingMemory& memory, const BackgroundOf& background, const StoreTo& store,
     PointBatch* points = nullptr) const;
   void paintSamples(
     const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   void paintAverages(
     const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   template <typename StoreTo>
-  void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
+  void shade(PaintingMemory& memory, const StoreTo& store, PointBatch* points = nullptr) const;
+  void shadeRange(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
   void fillBackground(SampleBatch& batch) const;
   void fillMissed(SampleBatch& batch, int number) const;
   void shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const;
 
   const SurfacePoints& Points;
   const LightModel& Light;
+  const CellEdges Edges;
   const Film& Target;
   const PassPainting& Passes;
 };

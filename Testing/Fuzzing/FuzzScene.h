@@ -254,8 +254,29 @@ struct FuzzScene
     }
   }
 
+  /// Gives some surfaces edges. Call it after addSpheres(), for the same reason.
+  void addStyles(FuzzInput& input)
+  {
+    for (lambent::Surface& surface : this->scene.surfaces)
+    {
+      if (input.choice(4) % 2 != 0)
+      {
+        lambent::EdgeStyle& edges = surface.appearance.edges;
+        edges.areVisible = true;
+        edges.width = std::fabs(input.number());
+        edges.opacity = input.within(0.0, 1.0);
+        edges.color = color(input);
+        this->Flags.emplace_back(surface.triangleCount());
+        std::generate(
+          this->Flags.back().begin(), this->Flags.back().end(), [&]() { return input.byte(); });
+        surface.cellEdges = input.flag() ? this->Flags.back().data() : nullptr;
+      }
+    }
+  }
+
 private:
   std::vector<std::vector<double>> Radii;
+  std::vector<std::vector<std::uint8_t>> Flags;
 };
 
 #endif

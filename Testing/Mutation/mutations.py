@@ -37,6 +37,9 @@ CHECKED = "Filters/Core/CheckedFaces.cxx"
 CORNERS = "Filters/Core/CornerNormals.cxx"
 TRIANGLE_NORMALS = "Filters/Core/TriangleNormals.cxx"
 ARITHMETIC = "Filters/Base/Arithmetic.h"
+EDGE_WIDTH = "Rendering/Core/Frame/CellEdges.h"
+EDGE_LINES = "Rendering/Core/Contract/EdgeLines.h"
+CELL_EDGES = "Rendering/Core/Frame/CellEdges.cxx"
 LIGHT = "Rendering/Core/Light/LightModel.cxx"
 VECTOR_LIGHTS = "Rendering/Core/Light/VectorLights.h"
 TRIANGLE_POINTS = "Rendering/Core/SurfacePoints/TrianglePoints.cxx"
@@ -528,4 +531,15 @@ MUTATIONS = [
      "the input of a block is its connection"),
     (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
      "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
+    # Edges of cells.
+    (EDGE_LINES, "along < square ? along / square : 1.0", "along / square", "edges end at their ends"),
+    (EDGE_LINES, "const double s = (far.z - depth) / (far.z - near.z);", "const double s = 1.0;",
+     "edges are cut before the eye"),
+    (CELL_EDGES, "cells[range.end - first] == cell", "false", "all triangles of a cell show its edges"),
+    (CELL_EDGES, "distance * (1.0 + 0x1p-20)", "0.5 * distance", "edges beside a tile are kept"),
+    (EDGE_WIDTH, "0.5 * samples * mesh.frame().pixel", "0.5 * mesh.frame().pixel",
+     "lines are as wide with several samples"),
+    (DRAWN, "(edges & 1u) << 2", "(edges & 1u)", "mirrored triangles keep their edges"),
+    (RUN_RANGE, "this->hasEdges = this->hasEdges || other.hasEdges;", "",
+     "edges of all surfaces in a range are drawn"),
 ]

@@ -22,8 +22,6 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
     { { "SetRepresentationToPoints()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
     { { "SetOpacity()", "back to 1" }, [](vtkProperty* property) { property->SetOpacity(0.5); } },
-    { { "EdgeVisibilityOn()", "vtkTubeFilter" },
-      [](vtkProperty* property) { property->EdgeVisibilityOn(); } },
     { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->VertexVisibilityOn(); } },
     { { "SetSpecular()", "back to 0" }, [](vtkProperty* property) { property->SetSpecular(0.3); } },
@@ -145,7 +143,8 @@ TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
   studio.property->SetSpecularPower(30.0); // highlights are not supported
-  studio.property->SetLineWidth(3.0);      // nor are lines
+  studio.property->EdgeVisibilityOn();
+  studio.property->SetLineWidth(3.0);
   studio.property->BackfaceCullingOn();
   vtkNew<vtkLight> fresh, head;
   head->SetLightTypeToHeadlight();

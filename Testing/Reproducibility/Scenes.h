@@ -30,6 +30,7 @@ SceneList passScenes();
 SceneList colorScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
+SceneList edgeScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();

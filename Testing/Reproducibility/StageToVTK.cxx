@@ -167,6 +167,10 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
     appearance.ambientColor.x, appearance.ambientColor.y, appearance.ambientColor.z);
   property->SetInterpolation(appearance.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
   property->SetLighting(appearance.shading != lambent::Shading::Unlit);
+  const lambent::EdgeStyle& edges = appearance.edges;
+  property->SetEdgeVisibility(edges.areVisible);
+  property->SetEdgeColor(edges.color.x, edges.color.y, edges.color.z);
+  property->SetLineWidth(static_cast<float>(edges.width));
   property->SetFrontfaceCulling(appearance.cullFront);
   property->SetBackfaceCulling(appearance.cullBack);
   return property;

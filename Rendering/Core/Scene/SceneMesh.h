@@ -63,6 +63,7 @@ public:
           (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
           (s.hasSpheres() ? Spheres : 0)))
       , Source(sourceOf(s))
+      , HasEdges(a.edges.areVisible && !s.hasSpheres())
     {
     }
 
@@ -78,6 +79,9 @@ public:
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
     bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+
+    /// Whether lines are drawn along the edges of its cells.
+    bool hasEdges() const { return this->HasEdges; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -111,6 +115,7 @@ public:
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
     ColorSource Source;
+    bool HasEdges;
   };
   static_assert(sizeof(Part) == 64);
 

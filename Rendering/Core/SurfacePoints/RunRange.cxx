@@ -12,6 +12,7 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->hasSpheres = first.hasSpheres();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
+  this->hasEdges = first.hasEdges();
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
 }
 
@@ -29,6 +30,7 @@ bool RunRange::join(const SceneMesh::Part& next)
   this->part = nullptr;
   this->appearance = other.appearance == this->appearance ? this->appearance : nullptr;
   this->hasGivenNormals = this->hasGivenNormals || other.hasGivenNormals;
+  this->hasEdges = this->hasEdges || other.hasEdges;
   return true;
 }
 

@@ -20,6 +20,7 @@ struct RunRange
   bool isUnlit = false;
   bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
   bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
+  bool hasEdges = false;                  ///< lines are drawn along some cells
   const SceneMesh::Part* part = nullptr;  ///< if all runs have the same
   const Appearance* appearance = nullptr; ///< if it gives all runs their colour
   ColorSource colorSource = ColorSource::Primitive;
