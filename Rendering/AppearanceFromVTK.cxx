@@ -18,6 +18,26 @@ bool isFinite(const EdgeStyle& style)
   return lambent::isFinite(style.color) && std::isfinite(style.opacity) &&
     std::isfinite(style.width);
 }
+
+bool isFinite(const SpecularStyle& style)
+{
+  return lambent::isFinite(style.color) && std::isfinite(style.coefficient) &&
+    std::isfinite(style.power) && lambent::isFinite(style.reflection());
+}
+
+std::string describeDefect(const SpecularStyle& style)
+{
+  if (!isFinite(style))
+  {
+    return "has a specular setting that is not a finite number. Call SetSpecular(), "
+           "SetSpecularColor() and SetSpecularPower() with finite ones.";
+  }
+  if (style.power < 0.0)
+  {
+    return "has a specular power below 0. Call SetSpecularPower() with 0 or more.";
+  }
+  return "";
+}
 }
 
 Appearance appearanceFromVTK(vtkProperty* property)
@@ -37,6 +57,9 @@ Appearance appearanceFromVTK(vtkProperty* property)
   result.cullFront = property->GetFrontfaceCulling() != 0;
   result.cullBack = property->GetBackfaceCulling() != 0;
   result.edges = edgesFromVTK(property);
+  result.specular.coefficient = property->GetSpecular();
+  result.specular.color = vec3FromVTK(property->GetSpecularColor());
+  result.specular.power = property->GetSpecularPower();
   return result;
 }
 
@@ -55,6 +78,6 @@ std::string describeDefect(const Appearance& appearance)
            "SetEdgeColor(), SetEdgeOpacity() and SetLineWidth() with finite ones, or "
            "EdgeVisibilityOff().";
   }
-  return "";
+  return appearance.isShiny() ? describeDefect(appearance.specular) : "";
 }
 }

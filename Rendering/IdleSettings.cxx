@@ -46,8 +46,6 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
   add(property->GetVertexVisibility() != 0,
     "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
     "spheres with SetInputSphereRadius().");
-  add(property->GetSpecular() != 0.0,
-    "SetSpecular() has no effect; highlights are not supported. Set it back to 0.");
   add(property->GetInterpolation() == VTK_PBR,
     "SetInterpolationToPBR() only selects smooth shading. Call SetInterpolationToPhong() instead.");
   add(property->GetNumberOfTextures() > 0,

@@ -16,6 +16,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     Diffuse
     Edges
     FlatAndSmooth
+    Highlights
     Passes
     SharpEdges
     Spheres

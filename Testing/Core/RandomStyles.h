@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief random edges for the surfaces of random scenes
+ * @brief random edges and highlights for the surfaces of random scenes
  */
 #ifndef RandomStyles_h
 #define RandomStyles_h
@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-/// Gives most surfaces edges. Cells have one, some, or all triangles of their
+/// Gives most surfaces edges, highlights, or both. Cells have one, some, or all triangles of their
 /// surface, and some of their edges. It must outlive the scene.
 class RandomStyles
 {
@@ -27,6 +27,14 @@ public:
       {
         this->addEdges(surface);
       }
+      if (this->Random.below(3) > 0)
+      {
+        this->addHighlights(surface.appearance.specular);
+      }
+    }
+    for (lambent::Light& light : scene.lights)
+    {
+      light.specularColor = this->color();
     }
   }
 
@@ -62,6 +70,14 @@ private:
       }
       surface.cellEdges = this->Edges.back()->data();
     }
+  }
+
+  void addHighlights(lambent::SpecularStyle& style)
+  {
+    style.coefficient = this->Random.within(0.0, 1.0);
+    style.color = this->color();
+    const double powers[] = { 0.0, 1.0, 0.5, 8.0, 77.25, 128.0 };
+    style.power = powers[this->Random.below(6)];
   }
 
   RandomNumbers Random;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Edges: instruction sets, threads, tiles and parts must not change a bit.
+// Edges and highlights: instruction sets, threads, tiles and parts must not change a bit.
 #include "FilmPicture.h"
 #include "InstructionSets.h"
 #include "RandomAttributes.h"
@@ -122,4 +122,7 @@ TEST(SurfaceStyles, AppearancesWithOtherStylesAreNotTheSame)
   expectOther([](Appearance& a) { a.edges.width = 2.0; });
   expectOther([](Appearance& a) { a.edges.opacity = 0.5; });
   expectOther([](Appearance& a) { a.edges.color.z = 1.0; });
+  expectOther([](Appearance& a) { a.specular.coefficient = 0.5; });
+  expectOther([](Appearance& a) { a.specular.color.z = 0.5; });
+  expectOther([](Appearance& a) { a.specular.power = 2.0; });
 }

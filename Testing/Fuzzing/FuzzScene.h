@@ -254,12 +254,13 @@ struct FuzzScene
     }
   }
 
-  /// Gives some surfaces edges. Call it after addSpheres(), for the same reason.
+  /// Gives some surfaces edges and highlights. Call it after addSpheres(), for the same reason.
   void addStyles(FuzzInput& input)
   {
     for (lambent::Surface& surface : this->scene.surfaces)
     {
-      if (input.choice(4) % 2 != 0)
+      const int kind = input.choice(4);
+      if ((kind & 1) != 0)
       {
         lambent::EdgeStyle& edges = surface.appearance.edges;
         edges.areVisible = true;
@@ -270,6 +271,10 @@ struct FuzzScene
         std::generate(
           this->Flags.back().begin(), this->Flags.back().end(), [&]() { return input.byte(); });
         surface.cellEdges = input.flag() ? this->Flags.back().data() : nullptr;
+      }
+      if ((kind & 2) != 0)
+      {
+        surface.appearance.specular = { input.number(), color(input), std::fabs(input.number()) };
       }
     }
   }

@@ -531,7 +531,7 @@ MUTATIONS = [
      "the input of a block is its connection"),
     (SCENE_FROM_SETTINGS, "result.back().diffuseColor = result.back().ambientColor = *input.color;",
      "result.back().diffuseColor = *input.color;", "a block's colour is also the ambient one"),
-    # Edges of cells.
+    # Edges of cells and highlights.
     (EDGE_LINES, "along < square ? along / square : 1.0", "along / square", "edges end at their ends"),
     (EDGE_LINES, "const double s = (far.z - depth) / (far.z - near.z);", "const double s = 1.0;",
      "edges are cut before the eye"),
@@ -542,4 +542,9 @@ MUTATIONS = [
     (DRAWN, "(edges & 1u) << 2", "(edges & 1u)", "mirrored triangles keep their edges"),
     (RUN_RANGE, "this->hasEdges = this->hasEdges || other.hasEdges;", "",
      "edges of all surfaces in a range are drawn"),
+    (RUN_RANGE, "!areSame(other.specular, this->specular)", "false",
+     "ranges have one kind of highlights"),
+    (LIGHT, "(2.0 * facing) / normalSquare", "2.0 * facing", "normals of highlights have any length"),
+    (LIGHT, "this->Parallel ? this->TowardsViewer : -point.position", "-point.position",
+     "highlights in a parallel view are seen along the rays"),
 ]

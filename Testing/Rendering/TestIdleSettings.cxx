@@ -24,7 +24,6 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
     { { "SetOpacity()", "back to 1" }, [](vtkProperty* property) { property->SetOpacity(0.5); } },
     { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->VertexVisibilityOn(); } },
-    { { "SetSpecular()", "back to 0" }, [](vtkProperty* property) { property->SetSpecular(0.3); } },
     { { "SetInterpolationToPBR()", "SetInterpolationToPhong()" },
       [](vtkProperty* property) { property->SetInterpolationToPBR(); } },
     { { "SetTexture()", "RemoveAllTextures()" },
@@ -142,7 +141,8 @@ TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
   studio.tracer->SetInputData(makeSquare());
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
-  studio.property->SetSpecularPower(30.0); // highlights are not supported
+  studio.property->SetSpecular(0.5);
+  studio.property->SetSpecularPower(30.0);
   studio.property->EdgeVisibilityOn();
   studio.property->SetLineWidth(3.0);
   studio.property->BackfaceCullingOn();

@@ -6,8 +6,8 @@ SceneList allScenes()
 {
   SceneList all;
   for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
-         colorScenes(), lightScenes(), surfaceScenes(), edgeScenes(), inputScenes(), crowdScenes(),
-         sphereScenes(), hostileScenes() })
+         colorScenes(), lightScenes(), surfaceScenes(), edgeScenes(), specularScenes(),
+         inputScenes(), crowdScenes(), sphereScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

@@ -31,6 +31,7 @@ SceneList colorScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
 SceneList edgeScenes();
+SceneList specularScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();

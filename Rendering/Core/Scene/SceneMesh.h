@@ -64,6 +64,7 @@ public:
           (s.hasSpheres() ? Spheres : 0)))
       , Source(sourceOf(s))
       , HasEdges(a.edges.areVisible && !s.hasSpheres())
+      , IsShiny(a.isShiny())
     {
     }
 
@@ -82,6 +83,7 @@ public:
 
     /// Whether lines are drawn along the edges of its cells.
     bool hasEdges() const { return this->HasEdges; }
+    bool isShiny() const { return this->IsShiny; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -115,7 +117,7 @@ public:
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
     ColorSource Source;
-    bool HasEdges;
+    bool HasEdges, IsShiny;
   };
   static_assert(sizeof(Part) == 64);
 

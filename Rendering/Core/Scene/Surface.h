@@ -46,6 +46,23 @@ struct EdgeStyle
 
 static_assert(offsetof(EdgeStyle, areVisible) == 5 * sizeof(double), "isSameAs() compares them");
 
+/// The specular reflection of a surface (LightModel.h).
+struct SpecularStyle
+{
+  double coefficient = 0.0; ///< 0: none
+  Vec3 color{ 1.0 };
+  double power = 1.0; ///< the larger, the smaller the highlights
+
+  bool isSameAs(const SpecularStyle& other) const
+  {
+    return std::memcmp(this, &other, sizeof(SpecularStyle)) == 0;
+  }
+  /// rho_s of the light model.
+  Vec3 reflection() const { return this->color * this->coefficient; }
+};
+
+static_assert(sizeof(SpecularStyle) == 5 * sizeof(double), "isSameAs() compares them");
+
 /// How a surface reflects light, and which sides of it are drawn.
 struct Appearance
 {
@@ -56,19 +73,27 @@ struct Appearance
   bool cullFront = false; ///< front faces (counter-clockwise) are not drawn
   bool cullBack = false;  ///< back faces are not drawn
   EdgeStyle edges;
+  SpecularStyle specular;
 
   /// Compares bits: 0 differs from -0.
   bool isSameAs(const Appearance& other) const
   {
     return std::memcmp(this, &other, 8 * sizeof(double)) == 0 && this->shading == other.shading &&
       this->cullFront == other.cullFront && this->cullBack == other.cullBack &&
-      this->edges.isSameAs(other.edges);
+      this->edges.isSameAs(other.edges) && this->specular.isSameAs(other.specular);
   }
 
   /// rho_d and rho_a of the light model.
   Vec3 diffuseReflection() const { return this->diffuseColor * this->diffuse; }
   Vec3 ambientReflection() const { return this->ambientColor * this->ambient; }
 
+  /// Whether lights have highlights on the surface.
+  bool isShiny() const
+  {
+    return this->specular.coefficient != 0.0 && this->shading != Shading::Unlit;
+  }
+  /// The specular reflection, or nullptr if there is none.
+  const SpecularStyle* shine() const { return this->isShiny() ? &this->specular : nullptr; }
   bool isCulling() const { return this->cullFront || this->cullBack; }
   /// Whether a face is culled. sum is positive where its front is seen (Hit::sum).
   bool isCulled(double sum) const

@@ -4,6 +4,14 @@
 
 namespace lambent
 {
+namespace
+{
+bool areSame(const SpecularStyle* a, const SpecularStyle* b)
+{
+  return a == b || (a && b && a->isSameAs(*b));
+}
+}
+
 void RunRange::begin(const SceneMesh::Part& first)
 {
   this->part = &first;
@@ -13,6 +21,7 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
   this->hasEdges = first.hasEdges();
+  this->specular = first.isShiny() ? &first.appearance->specular : nullptr;
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
 }
 
@@ -23,7 +32,8 @@ bool RunRange::join(const SceneMesh::Part& next)
   RunRange other;
   other.begin(next);
   if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth) ||
-    other.colorSource != this->colorSource || other.hasSpheres != this->hasSpheres)
+    other.colorSource != this->colorSource || other.hasSpheres != this->hasSpheres ||
+    !areSame(other.specular, this->specular))
   {
     return false;
   }

@@ -25,7 +25,8 @@ SurfaceColor colorOf(const Appearance& appearance)
   {
     return { true, appearance.diffuseColor, Vec3(0.0) };
   }
-  return { false, appearance.diffuseReflection(), appearance.ambientReflection() };
+  return { false, appearance.diffuseReflection(), appearance.ambientReflection(),
+    appearance.shine() };
 }
 
 SurfaceColor colorOf(const Appearance& appearance, const Vec3& color)
@@ -34,7 +35,7 @@ SurfaceColor colorOf(const Appearance& appearance, const Vec3& color)
   {
     return { true, color, Vec3(0.0) };
   }
-  return { false, color * appearance.diffuse, color * appearance.ambient };
+  return { false, color * appearance.diffuse, color * appearance.ambient, appearance.shine() };
 }
 
 SurfaceColor colorOf(const Surface& surface, std::size_t primitive)
