@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AppearanceFromVTK.h"
 
+#include "EdgesFromVTK.h"
 #include "Vec3FromVTK.h"
 
 #include "vtkProperty.h"
@@ -10,6 +11,35 @@
 
 namespace lambent::adapters
 {
+namespace
+{
+bool isFinite(const EdgeStyle& style)
+{
+  return lambent::isFinite(style.color) && std::isfinite(style.opacity) &&
+    std::isfinite(style.width);
+}
+
+bool isFinite(const SpecularStyle& style)
+{
+  return lambent::isFinite(style.color) && std::isfinite(style.coefficient) &&
+    std::isfinite(style.power) && lambent::isFinite(style.reflection());
+}
+
+std::string describeDefect(const SpecularStyle& style)
+{
+  if (!isFinite(style))
+  {
+    return "has a specular setting that is not a finite number. Call SetSpecular(), "
+           "SetSpecularColor() and SetSpecularPower() with finite ones.";
+  }
+  if (style.power < 0.0)
+  {
+    return "has a specular power below 0. Call SetSpecularPower() with 0 or more.";
+  }
+  return "";
+}
+}
+
 Appearance appearanceFromVTK(vtkProperty* property)
 {
   Appearance result;
@@ -27,6 +57,10 @@ Appearance appearanceFromVTK(vtkProperty* property)
                                                : Shading::Smooth;
   result.cullFront = property->GetFrontfaceCulling() != 0;
   result.cullBack = property->GetBackfaceCulling() != 0;
+  result.edges = edgesFromVTK(property);
+  result.specular.coefficient = property->GetSpecular();
+  result.specular.color = vec3FromVTK(property->GetSpecularColor());
+  result.specular.power = property->GetSpecularPower();
   return result;
 }
 
@@ -36,12 +70,19 @@ std::string describeDefect(const Appearance& appearance)
   {
     return "has an opacity that is not a finite number. Call SetOpacity() with 0 to 1.";
   }
-  if (isFinite(appearance.diffuseColor) && isFinite(appearance.diffuseReflection()) &&
-    isFinite(appearance.ambientReflection()))
+  if (!lambent::isFinite(appearance.diffuseColor) ||
+    !lambent::isFinite(appearance.diffuseReflection()) ||
+    !lambent::isFinite(appearance.ambientReflection()))
   {
-    return "";
+    return "has a colour or coefficient that is not a finite number. Call SetColor(), "
+           "SetDiffuse() and SetAmbient() with finite ones.";
   }
-  return "has a colour or coefficient that is not a finite number. Call SetColor(), SetDiffuse() "
-         "and SetAmbient() with finite ones.";
+  if (appearance.edges.areVisible && !isFinite(appearance.edges))
+  {
+    return "has an edge colour, edge opacity or line width that is not a finite number. Call "
+           "SetEdgeColor(), SetEdgeOpacity() and SetLineWidth() with finite ones, or "
+           "EdgeVisibilityOff().";
+  }
+  return appearance.isShiny() ? describeDefect(appearance.specular) : "";
 }
 }

@@ -42,14 +42,9 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
   add(property->GetRepresentation() == VTK_POINTS,
     "SetRepresentationToPoints() has no effect; faces are always filled. Draw the points as "
     "spheres with SetInputSphereRadius().");
-  add(property->GetEdgeVisibility() != 0,
-    "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
-    "vtkExtractEdges and vtkTubeFilter.");
   add(property->GetVertexVisibility() != 0,
     "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
     "spheres with SetInputSphereRadius().");
-  add(property->GetSpecular() != 0.0,
-    "SetSpecular() has no effect; highlights are not supported. Set it back to 0.");
   add(property->GetInterpolation() == VTK_PBR,
     "SetInterpolationToPBR() only selects smooth shading. Call SetInterpolationToPhong() instead.");
   add(property->GetNumberOfTextures() > 0,

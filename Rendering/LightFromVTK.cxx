@@ -66,6 +66,7 @@ Light lightFromVTK(vtkLight* light, const Camera& camera)
   result.position = position;
   result.direction = focalPoint - position;
   result.color = vec3FromVTK(light->GetDiffuseColor()) * light->GetIntensity();
+  result.specularColor = vec3FromVTK(light->GetSpecularColor()) * light->GetIntensity();
   result.coneAngle = light->GetConeAngle();
   result.exponent = light->GetExponent();
   result.attenuation = vec3FromVTK(light->GetAttenuationValues());
@@ -76,7 +77,8 @@ std::string describeDefect(const Light& light)
 {
   const Vec3& attenuation = light.attenuation;
   if (!isFinite(light.position) || !isFinite(light.direction) || !isFinite(light.color) ||
-    !isFinite(attenuation) || !std::isfinite(light.coneAngle) || !std::isfinite(light.exponent))
+    !isFinite(light.specularColor) || !isFinite(attenuation) || !std::isfinite(light.coneAngle) ||
+    !std::isfinite(light.exponent))
   {
     return "has a setting that is not a finite number. Check its position, focal point, "
            "transform matrix, colour, intensity, cone angle, exponent and attenuation.";

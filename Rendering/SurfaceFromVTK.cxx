@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFromVTK.h"
 
+#include "CellEdgeFlags.h"
 #include "CellSizes.h"
 #include "CheckedFaces.h"
 #include "Chunks.h"
@@ -233,12 +234,19 @@ void SurfaceFromVTK::setCells(const Parallel& parallel)
   {
     this->Merged = mergeFaces(this->Polygons, this->Strips, Share(parallel, 0.2, 0.4));
   }
-  const Share rest(parallel, 0.4, 1.0);
+  const bool hasEdges = this->Result.appearance.edges.areVisible;
+  const Share rest(parallel, 0.4, hasEdges ? 0.9 : 1.0);
   this->Triangles = hasStrips
     ? triangulate(this->Merged, this->Result.points, this->firstPolygon(), rest)
     : triangulate(this->Polygons, this->Result.points, this->firstPolygon(), rest);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
+  if (hasEdges)
+  {
+    this->CellEdges = findCellEdges(
+      hasStrips ? this->Merged.span() : this->Polygons, this->Triangles, Share(parallel, 0.9, 1.0));
+    this->Result.cellEdges = this->CellEdges.data();
+  }
 }
 
 void SurfaceFromVTK::chooseTriangles(const Parallel& parallel)
@@ -258,6 +266,11 @@ void SurfaceFromVTK::chooseTriangles(const Parallel& parallel)
   if (!this->Uses.empty())
   {
     this->Result.cells = this->Drawn.cells().data();
+  }
+  if (this->Result.cellEdges)
+  {
+    this->CellEdges = this->Drawn.pickEdges(this->CellEdges, Share(parallel, 1.0, 1.0));
+    this->Result.cellEdges = this->CellEdges.data();
   }
 }
 

@@ -77,6 +77,7 @@ private:
   MergedFaces Merged; ///< polygons and strips, until normals are computed; empty without strips
   Surface Result;
   TriangleList Triangles;
+  UnwrittenVector<unsigned char> CellEdges; ///< of triangles of polygons, if edges are visible
   IndexSpan AllCorners; ///< of all triangles, with the winding that they have in the input
   UnwrittenVector<CellUse> Uses;
   DrawnTriangles Drawn;

@@ -72,8 +72,9 @@
  * and scale, and window centre. It ignores the clipping range; user transforms, off-axis
  * projection, view shear and explicit projection matrices are not supported. It depends on
  * vtkProperty's diffuse and ambient colours and coefficients, Interpolation, Lighting,
- * Opacity, FrontfaceCulling and BackfaceCulling, but not on wireframe, points, specular
- * terms, textures by name (SetInputTexture() sets one) and edges. A setting without effect causes a
+ * Opacity, FrontfaceCulling and BackfaceCulling, its specular coefficient, colour and power, and
+ * its edges, but not on wireframe, points and textures by name (SetInputTexture() sets one). A
+ * setting without effect causes a
  * warning, once for as long as it stays; this includes FeatureAngle and Splitting if they are
  * changed although no input needs computed normals. Shading multiplies up to six lengths, so
  * coordinates and distances must lie between about 1e-50 and 1e50.
@@ -136,7 +137,7 @@ public:
 
   ///@{
   /**
-   * The lights. They have vtkLight's switch, intensity, diffuse colour, light type
+   * The lights. They have vtkLight's switch, intensity, diffuse and specular colour, light type
    * (headlight, camera light, scene light), position, focal point and transform matrix;
    * positional lights also have its cone angle, exponent and attenuation. They are shared
    * with the caller, and Update() never modifies them. Default: none; the scene then has a
@@ -146,7 +147,8 @@ public:
    *
    * @warning By default a positional vtkLight has a cone angle of 30 degrees, so it is a
    * spot light. With 90 degrees or more it shines in all directions.
-   * @note vtkLight::SetColor() sets the diffuse colour, the one used here.
+   * @note vtkLight::SetColor() sets the diffuse and the specular colour, the ones used here. The
+   * specular colour is that of the highlights; VTK's OpenGL renderer uses the diffuse one instead.
    */
   void AddLight(vtkLight* light);
   void RemoveLight(vtkLight* light);
@@ -161,6 +163,13 @@ public:
    * default) and VTK_PHONG shade with interpolated point normals. With Lighting off the
    * surface has the plain DiffuseColor. Default: none (nullptr), which means white,
    * ambient 0, diffuse 1, smooth.
+   *
+   * Specular above 0 adds Phong's highlights with SpecularColor, which vtkProperty::SetColor()
+   * sets, too, and SpecularPower. A power below 0 is an error.
+   *
+   * With EdgeVisibility, the edges of polygons, and of the triangles of strips, are drawn on them:
+   * LineWidth pixels wide, in the plain EdgeColor, and mixed with the surface by EdgeOpacity if VTK
+   * has that (9.3 and newer). Faces never hide their own edges. Passes do not show edges.
    */
   virtual void SetProperty(vtkProperty* property);
   vtkProperty* GetProperty() { return this->Property; }

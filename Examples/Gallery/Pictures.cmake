@@ -14,8 +14,10 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     ColoursFromData
     Crystal
     Diffuse
+    Edges
     FlatAndSmooth
     Glass
+    Highlights
     Passes
     SharpEdges
     Spheres

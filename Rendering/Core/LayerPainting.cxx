@@ -24,12 +24,13 @@ FilmColor LayerPainting::sampleColor(
   for (std::uint32_t k = 0; transmittance > 0.0 && k < memory.sorted.count(sample); ++k)
   {
     const std::uint32_t primitive = memory.sorted.primitive(sample, k);
-    const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
+    const double x = samples.xs()[i], y = samples.ys()[j];
+    const SurfacePoint point = this->Points.at(primitive, x, y);
     const double opacity = point.opacity();
     if (opacity > 0.0)
     {
       seen = seen == noPrimitive ? primitive : seen;
-      color += this->Light.color(point) * point.texture.color * (transmittance * opacity);
+      color += this->Shades.color(primitive, x, y, point) * (transmittance * opacity);
       transmittance = transmittance * (1.0 - opacity);
     }
   }
@@ -73,6 +74,8 @@ void LayerPainting::paint(const TileSamples& samples, LayerMemory& memory) const
 void LayerPainting::begin(const TileSamples& samples, LayerMemory& memory) const
 {
   const Window& window = samples.window();
+  memory.edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
+    samples.ys()[window.height() - 1]);
   memory.colors.reset(window.width(), window.height(), 4);
   memory.primitives.assign(samples.size(), noPrimitive);
   memory.rowCounts.assign(window.height(), 0);
@@ -129,7 +132,8 @@ bool LayerPainting::paintLayer(
 void LayerPainting::flush(const TileSamples& samples, LayerMemory& memory) const
 {
   SampleBatch& batch = memory.batch;
-  this->Shades.shade(batch, this->Points.mesh().hasVaryingOpacity() ? &memory.points : nullptr);
+  this->Shades.shade(
+    batch, memory.edges, this->Points.mesh().hasVaryingOpacity() ? &memory.points : nullptr);
   for (int k = 0; k < batch.pieceCount; ++k)
   {
     const SamplePiece& piece = batch.pieces[k];

@@ -36,6 +36,7 @@ struct LayerMemory
 {
   SortedLayers sorted;
   SampleBatch batch;
+  EdgesInTile edges;
   PointBatch points;
   TileColors colors;                     ///< C and, as the fourth channel, T
   std::vector<std::uint32_t> primitives; ///< that each sample sees
@@ -49,8 +50,7 @@ public:
   LayerPainting(const SurfacePoints& points, const LightModel& light, const Film& film,
     const PassPainting& passes)
     : Points(points)
-    , Light(light)
-    , Shades(points, light)
+    , Shades(points, light, film.target().samples)
     , Target(film)
     , Passes(passes)
   {
@@ -70,7 +70,6 @@ private:
   Window pixelsOf(const Window& samples) const;
 
   const SurfacePoints& Points;
-  const LightModel& Light;
   const SampleShading Shades;
   const Film& Target;
   const PassPainting& Passes;

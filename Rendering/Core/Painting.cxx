@@ -14,8 +14,8 @@ FilmColor Painting::sampleColor(
   {
     return this->Target.missed(samples.window().i0 + i, samples.window().j0 + j);
   }
-  const SurfacePoint point = this->Points.at(primitive, samples.xs()[i], samples.ys()[j]);
-  return { this->Light.color(point) * point.texture.color, 1.0 };
+  const double x = samples.xs()[i], y = samples.ys()[j];
+  return { this->Shades.color(primitive, x, y, this->Points.at(primitive, x, y)), 1.0 };
 }
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
@@ -43,6 +43,9 @@ void Painting::paint(
   {
     memory.passes = std::make_unique<PassMemory>();
   }
+  const Window& window = samples.window();
+  memory.edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
+    samples.ys()[window.height() - 1]);
   if (this->Target.target().samples == 1)
   {
     this->paintSamples(samples, primitives, memory);
@@ -72,9 +75,9 @@ void Painting::paintSamples(
   };
   for (int row = 0; row < samples.window().height(); ++row)
   {
-    this->paintRow(samples, primitives, row, memory.batch, background, store, points);
+    this->paintRow(samples, primitives, row, memory, background, store, points);
   }
-  this->shade(memory.batch, store, points);
+  this->shade(memory, store, points);
 }
 
 /// Computes the colours of the whole tile first, then the averages.
@@ -112,9 +115,9 @@ void Painting::paintAverages(
   };
   for (int row = 0; row < window.height(); ++row)
   {
-    this->paintRow(samples, primitives, row, memory.batch, background, store);
+    this->paintRow(samples, primitives, row, memory, background, store);
   }
-  this->shade(memory.batch, store);
+  this->shade(memory, store);
   for (int row = 0; row < pixels.height(); ++row)
   {
     const Window inRow{ pixels.i0, pixels.i1, pixels.j0 + row, pixels.j0 + row + 1 };
@@ -127,7 +130,7 @@ void Painting::paintAverages(
 /// Calls background(i, j, width) for pieces that hit nothing. Other pieces go to the batch.
 template <typename BackgroundOf, typename StoreTo>
 void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
-  SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+  PaintingMemory& memory, const BackgroundOf& background, const StoreTo& store,
   PointBatch* points) const
 {
   const Window& window = samples.window();
@@ -137,13 +140,13 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primiti
   {
     const int i = window.i0 + begin;
     const int width = std::min(SampleBatch::pieceSize, window.width() - begin);
-    if (!batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
+    if (!memory.batch.add({ i, j, width, samples.xs() + begin, samples.ys()[row] }, hits + begin))
     {
       background(i, j, width);
     }
-    else if (batch.isFull())
+    else if (memory.batch.isFull())
     {
-      this->shade(batch, store, points);
+      this->shade(memory, store, points);
     }
   }
 }
@@ -151,10 +154,11 @@ void Painting::paintRow(const TileSamples& samples, const std::uint32_t* primiti
 /// Shades the batch, and calls store(piece, channels) for each piece. Stores passes, too, if there
 /// is memory for surface points.
 template <typename StoreTo>
-void Painting::shade(SampleBatch& batch, const StoreTo& store, PointBatch* points) const
+void Painting::shade(PaintingMemory& memory, const StoreTo& store, PointBatch* points) const
 {
+  SampleBatch& batch = memory.batch;
   this->fillBackground(batch);
-  this->Shades.shade(batch, points);
+  this->Shades.shade(batch, memory.edges, points);
   for (int piece = 0; piece < batch.pieceCount; ++piece)
   {
     store(batch.pieces[piece],

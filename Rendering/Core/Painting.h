@@ -12,6 +12,7 @@
 #ifndef lambent_Painting_h
 #define lambent_Painting_h
 
+#include "CellEdges.h"
 #include "Film.h"
 #include "LightModel.h"
 #include "PassPainting.h"
@@ -27,6 +28,7 @@ namespace lambent
 struct PaintingMemory
 {
   SampleBatch batch;
+  EdgesInTile edges;
   // Used if pixels have several samples.
   TileColors colors;
   std::vector<unsigned char> isHit;   ///< per row of pixels
@@ -39,8 +41,7 @@ public:
   Painting(const SurfacePoints& points, const LightModel& light, const Film& film,
     const PassPainting& passes)
     : Points(points)
-    , Light(light)
-    , Shades(points, light)
+    , Shades(points, light, film.target().samples)
     , Target(film)
     , Passes(passes)
   {
@@ -66,19 +67,18 @@ private:
     const TileSamples& samples, const std::uint32_t* primitives, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>
   void paintRow(const TileSamples& samples, const std::uint32_t* primitives, int row,
-    SampleBatch& batch, const BackgroundOf& background, const StoreTo& store,
+    PaintingMemory& memory, const BackgroundOf& background, const StoreTo& store,
     PointBatch* points = nullptr) const;
   void paintSamples(
     const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   void paintAverages(
     const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   template <typename StoreTo>
-  void shade(SampleBatch& batch, const StoreTo& store, PointBatch* points = nullptr) const;
+  void shade(PaintingMemory& memory, const StoreTo& store, PointBatch* points = nullptr) const;
   void fillBackground(SampleBatch& batch) const;
   void fillMissed(SampleBatch& batch, int number) const;
 
   const SurfacePoints& Points;
-  const LightModel& Light;
   const SampleShading Shades;
   const Film& Target;
   const PassPainting& Passes;

@@ -2,33 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SampleShading.h"
 
+#include "EdgeMixing.h"
 #include "PointKernel.h"
 #include "ShadingKernel.h"
 #include "TextureFactors.h"
 
 namespace lambent
 {
-void SampleShading::shade(SampleBatch& batch, PointBatch* points) const
+void SampleShading::shade(SampleBatch& batch, EdgesInTile& edges, PointBatch* points) const
 {
   RunRange range;
   while (range.moveOn(this->Points.mesh(), batch))
   {
-    const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
-    if (isOfPrimitives && range.isUnlit && !range.hasTextures)
-    {
-      this->shadeUnlit(range, batch, points);
-      continue;
-    }
-    if (isOfPrimitives && (range.isUnlit || !range.appearance))
-    {
-      loadColors(range, batch);
-    }
-    shadeSamples(this->Points, this->Light, range, batch, points);
+    this->shadeRange(range, batch, points);
     if (range.hasTextures)
     {
       multiplyByTextures(range, batch);
     }
+    if (range.hasEdges)
+    {
+      mixEdges(this->Edges, range, batch, edges);
+    }
   }
+}
+
+void SampleShading::shadeRange(const RunRange& range, SampleBatch& batch, PointBatch* points) const
+{
+  const bool isOfPrimitives = range.colorSource == ColorSource::Primitive;
+  if (isOfPrimitives && range.isUnlit && !range.hasTextures)
+  {
+    this->shadeUnlit(range, batch, points);
+    return;
+  }
+  if (isOfPrimitives && (range.isUnlit || !range.appearance))
+  {
+    loadColors(range, batch);
+  }
+  shadeSamples(this->Points, this->Light, range, batch, points);
 }
 
 void SampleShading::shadeUnlit(const RunRange& range, SampleBatch& batch, PointBatch* points) const

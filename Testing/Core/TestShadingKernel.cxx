@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel's colours equal those of Shader::color() to the last bit of a double. A float picture
-// would show a difference in that bit only once in 500 million channels.
+// The kernel's colours equal those of LightModel::color() to the last bit of a double. A float
+// picture would show a difference in that bit only once in 500 million channels.
 #include "InstructionSets.h"
 #include "RandomNumbers.h"
 #include "SampleBatch.h"
@@ -52,6 +52,11 @@ struct Sheets
     surface.appearance.diffuseColor = this->random.inBox(0.5) + Vec3(0.5);
     surface.appearance.ambient = 1.0;
     surface.appearance.ambientColor = this->random.inBox(0.5) + Vec3(0.5);
+    if (seed % 2 == 0)
+    {
+      surface.appearance.specular = { 0.75, this->random.inBox(0.5) + Vec3(0.5),
+        seed % 4 == 0 ? 20.0 : this->random.within(0.0, 10.0) };
+    }
     this->scene.surfaces.push_back(surface);
     this->mesh = std::make_unique<SceneMesh>(this->scene.surfaces);
     this->inFrame = std::make_unique<FrameMesh>(*this->mesh, *this->frame);
@@ -84,6 +89,7 @@ struct Sheets
     Light light;
     light.direction = this->random.inBox(1.0) + this->frame->forward;
     light.color = this->random.inBox(0.5) + Vec3(0.5);
+    light.specularColor = this->random.inBox(0.5) + Vec3(0.5);
     this->scene.lights.push_back(light);
     light.positional = true;
     light.position = this->random.inBox(1.0);

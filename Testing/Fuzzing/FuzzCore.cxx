@@ -190,6 +190,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzScene scene(input, width, height, film.hasPasses ? 2 : 0);
   scene.addSpheres(input);
   scene.addTextures(input);
+  scene.addStyles(input);
   scene.scene.backgroundImage = film.behind;
   if (findDefect(scene.scene.camera) != CameraDefect::None)
   {

@@ -268,9 +268,37 @@ struct FuzzScene
     }
   }
 
+  /// Gives some surfaces edges, highlights and an opacity. Call it after addSpheres(), for the same
+  /// reason.
+  void addStyles(FuzzInput& input)
+  {
+    for (lambent::Surface& surface : this->scene.surfaces)
+    {
+      const int kind = input.choice(4);
+      if ((kind & 1) != 0)
+      {
+        lambent::EdgeStyle& edges = surface.appearance.edges;
+        edges.areVisible = true;
+        edges.width = std::fabs(input.number());
+        edges.opacity = input.within(0.0, 1.0);
+        edges.color = color(input);
+        this->Flags.emplace_back(surface.triangleCount());
+        std::generate(
+          this->Flags.back().begin(), this->Flags.back().end(), [&]() { return input.byte(); });
+        surface.cellEdges = input.flag() ? this->Flags.back().data() : nullptr;
+      }
+      if ((kind & 2) != 0)
+      {
+        surface.appearance.specular = { input.number(), color(input), std::fabs(input.number()) };
+      }
+      surface.appearance.opacity = input.choice(4) == 3 ? input.within(0.0, 1.0) : 1.0;
+    }
+  }
+
 private:
   std::vector<std::vector<double>> Radii;
   std::vector<std::unique_ptr<FuzzTexture>> Textures;
+  std::vector<std::vector<std::uint8_t>> Flags;
 };
 
 #endif

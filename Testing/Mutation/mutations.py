@@ -37,6 +37,9 @@ CHECKED = "Filters/Core/CheckedFaces.cxx"
 CORNERS = "Filters/Core/CornerNormals.cxx"
 TRIANGLE_NORMALS = "Filters/Core/TriangleNormals.cxx"
 ARITHMETIC = "Filters/Base/Arithmetic.h"
+EDGE_WIDTH = "Rendering/Core/Frame/CellEdges.h"
+EDGE_LINES = "Rendering/Core/Contract/EdgeLines.h"
+CELL_EDGES = "Rendering/Core/Frame/CellEdges.cxx"
 LIGHT = "Rendering/Core/Light/LightModel.cxx"
 VECTOR_LIGHTS = "Rendering/Core/Light/VectorLights.h"
 TRIANGLE_POINTS = "Rendering/Core/SurfacePoints/TrianglePoints.cxx"
@@ -203,7 +206,8 @@ MUTATIONS = [
      "the geometric normal has the right sign"),
     (LIGHT, "facing / std::sqrt(square * normalSquare)", "facing / std::sqrt(square)",
      "normals are normalized"),
-    (LIGHT, "if (facing > 0.0)", "if (true)", "no light from behind"),
+    (LIGHT, "if (facing > 0.0)\n    {\n      reflected", "if (true)\n    {\n      reflected",
+     "no light from behind"),
     (LIGHT, "ambient * light;", "ambient;", "the ambient term includes the light"),
     (LIGHT, "(a.x + a.y * distance) + (a.z * distance) * distance",
      "(a.x + a.y * distance) + a.z * distance", "attenuation is quadratic"),
@@ -447,7 +451,7 @@ MUTATIONS = [
     (COLOR_TABLE_HEADER, "k / 255.0", "k / 256.0", "255 is 1"),
     (SURFACE_COLOR, "surface.colors->color(tuple)",
      "surface.colors->color(primitive)", "colours are those of cells"),
-    (SURFACE_COLOR, "color * appearance.ambient, opacity }", "appearance.ambientReflection(), opacity }",
+    (SURFACE_COLOR, "color * appearance.ambient, opacity,", "appearance.ambientReflection(), opacity,",
      "colours of arrays replace the ambient colour"),
     (TRIANGLE_POINTS, "colors->number(point(2)) * weights.z;", "colors->number(point(2)) * weights.y;",
      "numbers are interpolated"),
@@ -578,4 +582,20 @@ MUTATIONS = [
      "several components are mapped by their magnitude"),
     (PLY_VERTICES, "ColorScaleOf(element.properties[property].type) > 0;", "true;",
      "properties that are not bytes or floats are no colours"),
+    # Edges of cells and highlights.
+    (EDGE_LINES, "along < square ? along / square : 1.0", "along / square", "edges end at their ends"),
+    (EDGE_LINES, "const double s = (far.z - depth) / (far.z - near.z);", "const double s = 1.0;",
+     "edges are cut before the eye"),
+    (CELL_EDGES, "cells[range.end - first] == cell", "false", "all triangles of a cell show its edges"),
+    (CELL_EDGES, "distance * (1.0 + 0x1p-20)", "0.5 * distance", "edges beside a tile are kept"),
+    (EDGE_WIDTH, "0.5 * samples * mesh.frame().pixel", "0.5 * mesh.frame().pixel",
+     "lines are as wide with several samples"),
+    (DRAWN, "(edges & 1u) << 2", "(edges & 1u)", "mirrored triangles keep their edges"),
+    (RUN_RANGE, "this->hasEdges = this->hasEdges || other.hasEdges;", "",
+     "edges of all surfaces in a range are drawn"),
+    (RUN_RANGE, "!areSame(other.specular, this->specular)", "false",
+     "ranges have one kind of highlights"),
+    (LIGHT, "(2.0 * facing) / normalSquare", "2.0 * facing", "normals of highlights have any length"),
+    (LIGHT, "this->Parallel ? this->TowardsViewer : -point.position", "-point.position",
+     "highlights in a parallel view are seen along the rays"),
 ]

@@ -21,11 +21,8 @@ const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProp
       [](vtkProperty* property) { property->SetRepresentationToWireframe(); } },
     { { "SetRepresentationToPoints()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
-    { { "EdgeVisibilityOn()", "vtkTubeFilter" },
-      [](vtkProperty* property) { property->EdgeVisibilityOn(); } },
     { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
       [](vtkProperty* property) { property->VertexVisibilityOn(); } },
-    { { "SetSpecular()", "back to 0" }, [](vtkProperty* property) { property->SetSpecular(0.3); } },
     { { "SetInterpolationToPBR()", "SetInterpolationToPhong()" },
       [](vtkProperty* property) { property->SetInterpolationToPBR(); } },
     { { "SetTexture()", "RemoveAllTextures()" },
@@ -146,8 +143,10 @@ TEST(IdleSettings, DefaultsAndEffectiveSettingsAreNotNamed)
   studio.tracer->SetInputData(makeSquare());
   studio.property->SetInterpolationToPhong();
   studio.property->SetAmbient(0.5);
-  studio.property->SetSpecularPower(30.0); // highlights are not supported
-  studio.property->SetLineWidth(3.0);      // nor are lines
+  studio.property->SetSpecular(0.5);
+  studio.property->SetSpecularPower(30.0);
+  studio.property->EdgeVisibilityOn();
+  studio.property->SetLineWidth(3.0);
   studio.property->BackfaceCullingOn();
   vtkNew<vtkLight> fresh, head;
   head->SetLightTypeToHeadlight();

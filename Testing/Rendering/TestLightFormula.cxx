@@ -113,7 +113,6 @@ TEST(LightFormula, CoefficientsMultiplyTheColours)
   studio.property->SetDiffuse(0.4);
   studio.property->SetAmbientColor(0.25, 0.5, 1.0);
   studio.property->SetAmbient(0.3);
-  studio.property->SetSpecular(1.0); // not part of this model
   studio.tracer->SetInputData(makeSquare());
   studio.tracer->AddLight(makeLight({ 0.0, 3.0, 4.0 }, { 0.0, 0.0, 0.0 }));
   const Picture picture = render(studio.tracer);

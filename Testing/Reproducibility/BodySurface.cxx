@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BodySurface.h"
 
+#include "CellEdgeFlags.h"
 #include "CellSizes.h"
 #include "CellView.h"
 #include "TriangleNormals.h"
@@ -135,12 +136,21 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
     this->Result.corners = this->cells().connectivity;
     return;
   }
-  this->Triangles = this->HasStrips
-    ? triangulate(
-        mergeFaces(lambent::CellSpan(), this->cells(), parallel), this->Result.points, 0, parallel)
-    : triangulate(this->cells(), this->Result.points, 0, parallel);
+  lambent::MergedFaces merged;
+  if (this->HasStrips)
+  {
+    merged = mergeFaces(lambent::CellSpan(), this->cells(), parallel);
+  }
+  this->Triangles = this->HasStrips ? triangulate(merged, this->Result.points, 0, parallel)
+                                    : triangulate(this->cells(), this->Result.points, 0, parallel);
   this->Result.corners = { this->Triangles.corners.data(), false, this->Triangles.corners.size() };
   this->Result.cells = this->Triangles.cells.data();
+  if (body.appearance.edges.areVisible)
+  {
+    this->CellEdges =
+      findCellEdges(this->HasStrips ? merged.span() : this->cells(), this->Triangles, parallel);
+    this->Result.cellEdges = this->CellEdges.data();
+  }
 }
 
 void BodySurface::setSpheres(const Body& body)
@@ -171,6 +181,11 @@ void BodySurface::chooseTriangles(const Body& body, const lambent::Parallel& par
     this->DrawnCorners = this->Drawn.pick(this->AllCorners, parallel);
     this->Result.corners = this->DrawnCorners.span();
     this->Result.cells = this->Uses.empty() ? this->Result.cells : this->Drawn.cells().data();
+    if (this->Result.cellEdges)
+    {
+      this->CellEdges = this->Drawn.pickEdges(this->CellEdges, parallel);
+      this->Result.cellEdges = this->CellEdges.data();
+    }
   }
 }
 

@@ -71,6 +71,7 @@ private:
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;
   lambent::TriangleList Triangles;
+  lambent::UnwrittenVector<unsigned char> CellEdges;
   lambent::IndexSpan AllCorners;
   lambent::UnwrittenVector<lambent::CellUse> Uses;
   lambent::DrawnTriangles Drawn;

@@ -5,9 +5,10 @@
 SceneList allScenes()
 {
   SceneList all;
-  for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
-         colorScenes(), lightScenes(), surfaceScenes(), inputScenes(), crowdScenes(),
-         sphereScenes(), textureScenes(), transparencyScenes(), hostileScenes() })
+  for (const SceneList& scenes :
+    { viewScenes(), sampleScenes(), filmScenes(), passScenes(), colorScenes(), lightScenes(),
+      surfaceScenes(), edgeScenes(), specularScenes(), inputScenes(), crowdScenes(), sphereScenes(),
+      textureScenes(), transparencyScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

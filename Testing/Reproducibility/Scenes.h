@@ -30,6 +30,8 @@ SceneList passScenes();
 SceneList colorScenes();
 SceneList lightScenes();
 SceneList surfaceScenes();
+SceneList edgeScenes();
+SceneList specularScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();

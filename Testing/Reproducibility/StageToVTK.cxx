@@ -208,6 +208,14 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
   property->SetOpacity(appearance.opacity);
   property->SetInterpolation(appearance.shading == lambent::Shading::Flat ? VTK_FLAT : VTK_PHONG);
   property->SetLighting(appearance.shading != lambent::Shading::Unlit);
+  const lambent::EdgeStyle& edges = appearance.edges;
+  property->SetEdgeVisibility(edges.areVisible);
+  property->SetEdgeColor(edges.color.x, edges.color.y, edges.color.z);
+  property->SetLineWidth(static_cast<float>(edges.width));
+  const lambent::SpecularStyle& specular = appearance.specular;
+  property->SetSpecular(specular.coefficient);
+  property->SetSpecularColor(specular.color.x, specular.color.y, specular.color.z);
+  property->SetSpecularPower(specular.power);
   property->SetFrontfaceCulling(appearance.cullFront);
   property->SetBackfaceCulling(appearance.cullBack);
   return property;
@@ -275,6 +283,7 @@ vtkSmartPointer<vtkLight> toLight(const lambent::Light& light)
   result->SetPosition(from.x, from.y, from.z);
   result->SetFocalPoint(at.x, at.y, at.z);
   result->SetColor(light.color.x, light.color.y, light.color.z);
+  result->SetSpecularColor(light.specularColor.x, light.specularColor.y, light.specularColor.z);
   result->SetConeAngle(light.coneAngle);
   result->SetExponent(light.exponent);
   result->SetAttenuationValues(light.attenuation.x, light.attenuation.y, light.attenuation.z);

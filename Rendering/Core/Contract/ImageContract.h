@@ -8,8 +8,8 @@
  * threads, must compute pixels with the functions of this file, Arithmetic.h and Elementary.h, in
  * the order written there, and with the definitions built on them: surface points and attributes in
  * TrianglePoints.h and SpherePoints.h, colours in SurfaceColor.h and LightModel.h, averages and
- * alpha in Film.h, the background in Background.h, and passes in PassTable.h and PassStore.h.
- *
+ * alpha in Film.h, the background in Background.h, passes in PassTable.h and PassStore.h, and edges
+ * of cells in EdgeLines.h.
  *
  * - Arithmetic is IEEE binary64 with + - * / sqrt, rounded to nearest. The module is compiled
  *   without contraction (-ffp-contract=off) and without -ffast-math.

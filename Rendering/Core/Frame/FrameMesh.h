@@ -81,8 +81,8 @@ public:
   {
     const std::size_t point = part.sphereOf(number);
     const FramePoint center = this->Frame.toFrame(part.points()[point]);
-    return { { center.x, center.y, center.z, part.surface->radiusOf(point),
-               part.hasOutside(number), part.hasInside(number) },
+    return { { center.x, center.y, center.z, part.surface->radiusOf(point), part.hasOutside(number),
+               part.hasInside(number) },
       this->Frame.parallel };
   }
 

@@ -13,6 +13,7 @@ LightSource::LightSource(const Light& light, const Vec3& eye)
   , toLight(light.positional ? light.position - eye : -light.direction)
   , axis(0.0)
   , color(light.color)
+  , specularColor(light.specularColor)
   , coneCosine(0.0)
   , exponent(light.exponent)
   , attenuation(light.attenuation)
@@ -28,6 +29,8 @@ LightSource::LightSource(const Light& light, const Vec3& eye)
 
 LightModel::LightModel(const Scene& scene, const Vec3& eye)
   : Ambient(scene.ambientModel)
+  , Parallel(scene.camera.parallel)
+  , TowardsViewer(-normalized(scene.camera.focalPoint - scene.camera.position))
 {
   for (const Light& light : scene.lights)
   {
@@ -62,6 +65,31 @@ Vec3 LightModel::color(const SurfacePoint& point) const
       reflected = reflected + ambient * light;
     }
     sum = sum + reflected;
+  }
+  return point.color.specular ? sum + this->highlights(point, *point.color.specular) : sum;
+}
+
+Vec3 LightModel::highlights(const SurfacePoint& point, const SpecularStyle& style) const
+{
+  const Vec3& m = point.normal;
+  const Vec3 v = this->Parallel ? this->TowardsViewer : -point.position;
+  const double normalSquare = dot(m, m), viewSquare = dot(v, v);
+  const Vec3 reflection = style.reflection();
+  Vec3 sum(0.0);
+  for (const LightSource& source : this->Sources)
+  {
+    const Vec3 s = source.positional ? source.toLight - point.position : source.toLight;
+    const double facing = dot(s, m);
+    if (facing > 0.0)
+    {
+      const double square = dot(s, s);
+      const Vec3 light = source.isConstant
+        ? source.specularColor
+        : source.specularColor * arriving(source, s, std::sqrt(square));
+      const double mirrored = ((2.0 * facing) / normalSquare) * dot(m, v) - dot(s, v);
+      const double cosine = mirrored / std::sqrt(square * viewSquare);
+      sum = sum + (reflection * light) * power(cosine > 0.0 ? cosine : 0.0, style.power);
+    }
   }
   return sum;
 }

@@ -72,6 +72,25 @@ void shadeColored(const Points& points, const LightModel& light, const RunRange&
     keep, batch);
 }
 
+/// Shades a range with highlights.
+template <typename Points, typename Keep>
+void shadeShiny(const Points& points, const LightModel& light, const RunRange& range,
+  const Keep& keep, SampleBatch& batch)
+{
+  const SurfaceColor uniform = range.appearance ? colorOf(*range.appearance) : SurfaceColor{};
+  const VectorSurfaceColor reflection{ set(uniform.diffuse), set(uniform.ambient) };
+  const VectorColors colors(range, batch);
+  shade(
+    points, range,
+    [&](const Runs& runs, const VectorSurfacePoint& point, int place)
+    {
+      const VectorSurfaceColor color =
+        range.appearance ? reflection : colors.at(runs, point, place);
+      return lit(light, color, point) + highlights(light, *range.specular, point);
+    },
+    keep, batch);
+}
+
 template <bool HasSpheres>
 HWY_INLINE void shadeRange(const SurfacePoints& points, const LightModel& light,
   const RunRange& range, SampleBatch& batch, PointBatch* result)
@@ -91,7 +110,11 @@ HWY_INLINE void shadeRange(const SurfacePoints& points, const LightModel& light,
   withPoints<HasSpheres>(points, range, batch,
     [&](const auto& vectorPoints)
     {
-      if (!range.appearance || range.isUnlit)
+      if (range.specular)
+      {
+        shadeShiny(vectorPoints, light, range, keep, batch);
+      }
+      else if (!range.appearance || range.isUnlit)
       {
         shadeColored(vectorPoints, light, range, keep, batch);
       }

@@ -49,7 +49,61 @@ inline V arriving(const LightSource& source, const Vector3& toLight, V distance)
   return hn::IfThenElse(hn::Gt(distance, hn::Zero(d)), fraction, one);
 }
 
-/// LightModel::color() for points that are not unlit.
+/// base to the power of exponent, in the lanes of a mask. The other lanes are undefined.
+inline V powerWhere(M mask, V base, double exponent)
+{
+  HWY_ALIGN double powers[lanesAtMost];
+  HWY_ALIGN double isWanted[lanesAtMost];
+  hn::Store(base, d, powers);
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, isWanted);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+  {
+    powers[lane] = isWanted[lane] > 0.0 ? power(powers[lane], exponent) : 0.0;
+  }
+  return hn::Load(d, powers);
+}
+
+/// LightModel::highlights() in each lane.
+HWY_INLINE Vector3 highlights(
+  const LightModel& model, const SpecularStyle& style, const VectorSurfacePoint& point)
+{
+  const V zero = hn::Zero(d), two = hn::Set(d, 2.0);
+  const Vector3& m = point.normal;
+  const Vector3& p = point.position;
+  const Vector3 v = model.isParallel() ? set(model.towardsViewer())
+                                       : Vector3{ hn::Neg(p.x), hn::Neg(p.y), hn::Neg(p.z) };
+  const V normalSquare = dot(m, m), viewSquare = dot(v, v);
+  const Vector3 reflection = set(style.reflection());
+  Vector3 sum = set(Vec3(0.0));
+  for (const LightSource& source : model.sources())
+  {
+    const Vector3 s =
+      source.positional ? set(source.toLight) - point.position : set(source.toLight);
+    const V facing = dot(s, m);
+    const M isLit = hn::Gt(facing, zero);
+    if (hn::AllFalse(d, isLit))
+    {
+      continue;
+    }
+    const V square = dot(s, s);
+    Vector3 light = set(source.specularColor);
+    if (!source.isConstant)
+    {
+      light = light * arriving(source, s, hn::Sqrt(square));
+    }
+    const V mirrored =
+      hn::Sub(hn::Mul(hn::Div(hn::Mul(two, facing), normalSquare), dot(m, v)), dot(s, v));
+    const V cosine = hn::Div(mirrored, hn::Sqrt(hn::Mul(square, viewSquare)));
+    const V clamped = hn::IfThenElse(hn::Gt(cosine, zero), cosine, zero);
+    const Vector3 reflected = (reflection * light) * powerWhere(isLit, clamped, style.power);
+    sum = sum +
+      Vector3{ hn::IfThenElseZero(isLit, reflected.x), hn::IfThenElseZero(isLit, reflected.y),
+        hn::IfThenElseZero(isLit, reflected.z) };
+  }
+  return sum;
+}
+
+/// LightModel::color() for points that are neither unlit nor shiny.
 HWY_INLINE Vector3 lit(
   const LightModel& model, const VectorSurfaceColor& reflection, const VectorSurfacePoint& point)
 {

@@ -148,6 +148,25 @@ void DrawnTriangles::pick(
     });
 }
 
+UnwrittenVector<unsigned char> DrawnTriangles::pickEdges(
+  const UnwrittenVector<unsigned char>& all, const Parallel& parallel) const
+{
+  // With the second and the third corner, the first edge and the last one are swapped.
+  const auto swapped = [](unsigned int edges)
+  { return (edges & 2u) | (edges & 1u) << 2 | (edges & 4u) >> 2; };
+  UnwrittenVector<unsigned char> picked(this->AreAll ? all.size() : this->Count);
+  forEachChunk<itemsPerChunk>(parallel, picked.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        const unsigned int edges = all[this->AreAll ? t : this->Kept[t]];
+        picked[t] = static_cast<unsigned char>(this->AreMirrored ? swapped(edges) : edges);
+      }
+    });
+  return picked;
+}
+
 DrawnTriangles::Indices DrawnTriangles::pick(const IndexSpan& all, const Parallel& parallel) const
 {
   Indices result;

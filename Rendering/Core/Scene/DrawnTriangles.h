@@ -79,6 +79,10 @@ public:
   };
   Indices pick(const IndexSpan& all, const Parallel& parallel) const;
 
+  /// Picks their flags of edges (Surface::cellEdges) from those of all triangles.
+  UnwrittenVector<unsigned char> pickEdges(
+    const UnwrittenVector<unsigned char>& all, const Parallel& parallel) const;
+
   /// The cell of each, counted as in the constructor. Empty if all triangles are drawn.
   const UnwrittenVector<std::int64_t>& cells() const { return this->Cells; }
 

@@ -22,6 +22,7 @@ struct Light
   Vec3 position{ 0.0, 0.0, 1.0 };    ///< of a positional light
   Vec3 direction{ 0.0, 0.0, -1.0 };  ///< of the light, and axis of its cone; any length
   Vec3 color{ 1.0 };                 ///< colour x intensity
+  Vec3 specularColor{ 1.0 };         ///< of its highlights; colour x intensity
   double coneAngle = 90.0;           ///< degrees from axis to rim; 90 or more: no cone
   double exponent = 1.0;             ///< of the fall-off from the axis, within the cone
   Vec3 attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic

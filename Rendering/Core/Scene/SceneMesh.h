@@ -64,6 +64,8 @@ public:
           (s.hasSpheres() ? Spheres : 0) | (s.isTransparent() ? Transparent : 0) |
           (s.texture && !s.hasSpheres() ? Textured : 0)))
       , Source(sourceOf(s))
+      , HasEdges(a.edges.areVisible && !s.hasSpheres())
+      , IsShiny(a.isShiny())
     {
     }
 
@@ -99,6 +101,10 @@ public:
         !(this->isTransparent() && ((primitive - this->firstPrimitive) & 1) == 0);
     }
 
+    /// Whether lines are drawn along the edges of its cells.
+    bool hasEdges() const { return this->HasEdges; }
+    bool isShiny() const { return this->IsShiny; }
+
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
 
@@ -133,6 +139,7 @@ public:
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
     ColorSource Source;
+    bool HasEdges, IsShiny;
   };
   static_assert(sizeof(Part) == 64);
 

@@ -30,6 +30,40 @@ enum class Shading
   Unlit   ///< the plain colour
 };
 
+/// Lines along the edges of cells (EdgeLines.h). Spheres have none.
+struct EdgeStyle
+{
+  Vec3 color{ 0.0 };
+  double opacity = 1.0; ///< 0: the colour of the surface, 1: that of the edges
+  double width = 1.0;   ///< in pixels
+  bool areVisible = false;
+
+  bool isSameAs(const EdgeStyle& other) const
+  {
+    return std::memcmp(this, &other, 5 * sizeof(double)) == 0 &&
+      this->areVisible == other.areVisible;
+  }
+};
+
+static_assert(offsetof(EdgeStyle, areVisible) == 5 * sizeof(double), "isSameAs() compares them");
+
+/// The specular reflection of a surface (LightModel.h).
+struct SpecularStyle
+{
+  double coefficient = 0.0; ///< 0: none
+  Vec3 color{ 1.0 };
+  double power = 1.0; ///< the larger, the smaller the highlights
+
+  bool isSameAs(const SpecularStyle& other) const
+  {
+    return std::memcmp(this, &other, sizeof(SpecularStyle)) == 0;
+  }
+  /// rho_s of the light model.
+  Vec3 reflection() const { return this->color * this->coefficient; }
+};
+
+static_assert(sizeof(SpecularStyle) == 5 * sizeof(double), "isSameAs() compares them");
+
 /// How a surface reflects light, and which sides of it are drawn.
 struct Appearance
 {
@@ -41,18 +75,28 @@ struct Appearance
   Shading shading = Shading::Smooth;
   bool cullFront = false; ///< front faces (counter-clockwise) are not drawn
   bool cullBack = false;  ///< back faces are not drawn
+  EdgeStyle edges;
+  SpecularStyle specular;
 
   /// Compares bits: 0 differs from -0.
   bool isSameAs(const Appearance& other) const
   {
     return std::memcmp(this, &other, 9 * sizeof(double)) == 0 && this->shading == other.shading &&
-      this->cullFront == other.cullFront && this->cullBack == other.cullBack;
+      this->cullFront == other.cullFront && this->cullBack == other.cullBack &&
+      this->edges.isSameAs(other.edges) && this->specular.isSameAs(other.specular);
   }
 
   /// rho_d and rho_a of the light model.
   Vec3 diffuseReflection() const { return this->diffuseColor * this->diffuse; }
   Vec3 ambientReflection() const { return this->ambientColor * this->ambient; }
 
+  /// Whether lights have highlights on the surface.
+  bool isShiny() const
+  {
+    return this->specular.coefficient != 0.0 && this->shading != Shading::Unlit;
+  }
+  /// The specular reflection, or nullptr if there is none.
+  const SpecularStyle* shine() const { return this->isShiny() ? &this->specular : nullptr; }
   bool isCulling() const { return this->cullFront || this->cullBack; }
   /// Whether a face is culled. sum is positive where its front is seen (Hit::sum).
   bool isCulled(double sum) const
@@ -79,6 +123,10 @@ struct Surface
   /// normals. If empty, a corner has the normal of its point.
   IndexSpan normalNumbers;
   TupleSpan cellNormals; ///< one per cell, or none
+  /// Which edges of each triangle are edges of its cell, for lines along them: bit k is the edge
+  /// from corner k to the next one. If nullptr, all are. The triangles of a cell must be
+  /// consecutive, or each group of them shows lines of its own.
+  const unsigned char* cellEdges = nullptr;
   /// Data that passes of the image show. All surfaces have theirs in the same order.
   std::vector<AttributeSpan> attributes;
 

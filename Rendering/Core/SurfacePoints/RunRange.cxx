@@ -4,6 +4,14 @@
 
 namespace lambent
 {
+namespace
+{
+bool areSame(const SpecularStyle* a, const SpecularStyle* b)
+{
+  return a == b || (a && b && a->isSameAs(*b));
+}
+}
+
 void RunRange::begin(const SceneMesh::Part& first)
 {
   this->part = &first;
@@ -13,6 +21,8 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->hasTextures = first.hasTexture();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
+  this->hasEdges = first.hasEdges();
+  this->specular = first.isShiny() ? &first.appearance->specular : nullptr;
   this->hasGivenNormals = this->isSmooth || first.hasCellNormals();
 }
 
@@ -24,13 +34,14 @@ bool RunRange::join(const SceneMesh::Part& next)
   other.begin(next);
   if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth) ||
     other.colorSource != this->colorSource || other.hasSpheres != this->hasSpheres ||
-    other.hasTextures != this->hasTextures)
+    other.hasTextures != this->hasTextures || !areSame(other.specular, this->specular))
   {
     return false;
   }
   this->part = nullptr;
   this->appearance = other.appearance == this->appearance ? this->appearance : nullptr;
   this->hasGivenNormals = this->hasGivenNormals || other.hasGivenNormals;
+  this->hasEdges = this->hasEdges || other.hasEdges;
   return true;
 }
 

@@ -18,11 +18,13 @@ struct RunRange
   int first = 0, end = 0;
   bool hasSpheres = false; ///< all primitives are spheres; otherwise all are triangles
   bool isUnlit = false;
-  bool hasTextures = false;               ///< all runs that hit something have one, or none has
-  bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
-  bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
-  const SceneMesh::Part* part = nullptr;  ///< if all runs have the same
-  const Appearance* appearance = nullptr; ///< if it gives all runs their colour
+  bool hasTextures = false;                ///< all runs that hit something have one, or none has
+  bool isSmooth = false;                   ///< normals at the corners; otherwise one of the face
+  bool hasGivenNormals = false;            ///< some normals are not computed from the geometry
+  bool hasEdges = false;                   ///< lines are drawn along some cells
+  const SpecularStyle* specular = nullptr; ///< of all runs; nullptr: none have any
+  const SceneMesh::Part* part = nullptr;   ///< if all runs have the same
+  const Appearance* appearance = nullptr;  ///< if it gives all runs their colour
   ColorSource colorSource = ColorSource::Primitive;
 
   /// Moves to the runs after the current ones, up to the first that is shaded in another way. Runs

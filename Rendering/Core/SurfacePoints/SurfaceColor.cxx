@@ -27,7 +27,7 @@ SurfaceColor colorOf(const Appearance& appearance)
     return { true, appearance.diffuseColor, Vec3(0.0), appearance.opacity };
   }
   return { false, appearance.diffuseReflection(), appearance.ambientReflection(),
-    appearance.opacity };
+    appearance.opacity, appearance.shine() };
 }
 
 SurfaceColor colorOf(const Appearance& appearance, const Vec3& color, double alpha)
@@ -37,7 +37,8 @@ SurfaceColor colorOf(const Appearance& appearance, const Vec3& color, double alp
   {
     return { true, color, Vec3(0.0), opacity };
   }
-  return { false, color * appearance.diffuse, color * appearance.ambient, opacity };
+  return { false, color * appearance.diffuse, color * appearance.ambient, opacity,
+    appearance.shine() };
 }
 
 SurfaceColor colorOf(const Surface& surface, std::size_t primitive)

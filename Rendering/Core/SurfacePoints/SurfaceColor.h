@@ -6,8 +6,8 @@
  *
  * The colour of a surface is that of its appearance, or comes from data at its points or cells
  * (ColorArray.h). Colours of points are interpolated with barycentric coordinates, as all data of
- * points is. The functions for single points are the definition; loadColors() and
- * VectorSurfaceColor.h give a batch the same colours.
+ * points is. The specular colour is always that of the appearance. The functions for single points
+ * are the definition; loadColors() and VectorSurfaceColor.h give a batch the same colours.
  */
 #ifndef lambent_SurfaceColor_h
 #define lambent_SurfaceColor_h
@@ -27,6 +27,8 @@ struct SurfaceColor
   Vec3 diffuse; ///< rho_d; the plain colour if unlit
   Vec3 ambient; ///< rho_a; not used if unlit
   double opacity = 1.0;
+  /// The specular reflection of the appearance, or nullptr if there is none.
+  const SpecularStyle* specular = nullptr;
 };
 
 /// The colour that an appearance has on its own, and with a colour that replaces those it has, and
