@@ -207,7 +207,7 @@ std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
 std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.firstNotFinite);
-  if (this->Surfaces[place.input]->surface().hasSpheres())
+  if (this->Surfaces[place.input]->surface().kind() == PrimitiveKind::Sphere)
   {
     return std::to_string(defects.notFinite) +
       (defects.notFinite == 1 ? " sphere or cell has a point that is"

@@ -112,7 +112,8 @@ void SurfaceFromVTK::addColors(const InputColors& settings)
   {
     this->Colors = std::make_unique<ColorsFromVTK>(this->Input, settings, this->Spans);
     this->Result.colors = this->Colors->colors();
-    if (this->Result.colors && this->Result.hasSpheres() && this->Result.colors->values.isPerCell)
+    if (this->Result.colors && this->Result.kind() == PrimitiveKind::Sphere &&
+      this->Result.colors->values.isPerCell)
     {
       throw std::runtime_error(
         "the colours come from a cell array, but spheres have the colours of "

@@ -11,7 +11,8 @@
  * 2. If they may cover the tile many times, cast the nearest few first.
  * 3. Cast the others, but drop those that lie behind the hits of all samples.
  *
- * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h).
+ * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h), lines row by
+ * row (LineCasting.h).
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
  * of each sample.
@@ -20,6 +21,7 @@
 #define lambent_Casting_h
 
 #include "Bins.h"
+#include "LineCasting.h"
 #include "SphereCasting.h"
 #include "TriangleCasting.h"
 
@@ -43,6 +45,7 @@ public:
     , Grid(grid)
     , Triangles(mesh)
     , Spheres(mesh)
+    , Lines(mesh)
   {
   }
 
@@ -79,6 +82,7 @@ private:
   const TileGrid& Grid;
   const TriangleCasting<Policy> Triangles;
   const SphereCasting<Policy> Spheres;
+  const LineCasting<Policy> Lines;
 };
 
 extern template class Casting<Nearest>;

@@ -4,8 +4,8 @@
  * @file
  * @brief the surfaces of a scene, with primitives and points numbered consecutively
  *
- * A primitive is what a ray hits as a whole: a triangle or a sphere. Primitives and points are
- * counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
+ * A primitive is what a ray hits as a whole: a triangle, a sphere or a line. Primitives and points
+ * are counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
  * number. Of two hits at the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
@@ -60,9 +60,9 @@ public:
       , HasDoubleNormals(s.pointNormals.isDouble)
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
-          (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
-          (s.hasSpheres() ? Spheres : 0)))
+          (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0)))
       , Source(sourceOf(s))
+      , Kind(s.kind())
     {
     }
 
@@ -77,7 +77,7 @@ public:
     ColorSource colorSource() const { return this->Source; }
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
-    bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+    PrimitiveKind kind() const { return this->Kind; }
 
     /// Reads the next part.
     std::size_t pointCount() const { return (this + 1)->firstPoint - this->firstPoint; }
@@ -91,9 +91,10 @@ public:
   private:
     static ColorSource sourceOf(const Surface& s)
     {
-      return !s.colors || s.colors->values.isPerCell || s.hasSpheres() ? ColorSource::Primitive
-        : s.colors->isMappedLast                                       ? ColorSource::MappedLast
-                                                                       : ColorSource::Interpolated;
+      return !s.colors || s.colors->values.isPerCell || s.kind() == PrimitiveKind::Sphere
+        ? ColorSource::Primitive
+        : s.colors->isMappedLast ? ColorSource::MappedLast
+                                 : ColorSource::Interpolated;
     }
 
     enum : unsigned char
@@ -102,8 +103,7 @@ public:
       NormalNumbers = 2,
       CellNormals = 4,
       Culling = 8,
-      Colored = 16,
-      Spheres = 32
+      Colored = 16
     };
     const void* Points;
     const void* Corners;
@@ -111,6 +111,7 @@ public:
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
     ColorSource Source;
+    PrimitiveKind Kind;
   };
   static_assert(sizeof(Part) == 64);
 
@@ -118,8 +119,8 @@ public:
 
   std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
-  /// Whether some primitives are spheres.
-  bool hasSpheres() const { return this->HasSpheres; }
+  /// Whether all primitives are triangles.
+  bool hasOnlyTriangles() const { return this->HasOnlyTriangles; }
 
   /// The part that holds a primitive.
   const Part& partOf(std::size_t primitive) const
@@ -168,7 +169,7 @@ private:
   {
     std::size_t begin, end;
     std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
-    bool hasSpheres = false;
+    bool hasOnlyTriangles = true;
     const Appearance* first = nullptr; ///< of the first surface, and those equal to it
     const Appearance* last = nullptr;
     const Appearance* replacement = nullptr; ///< of first, in the whole scene
@@ -201,7 +202,7 @@ private:
   int Shift = 0;
   std::size_t Primitives = 0;
   std::size_t Points = 0;
-  bool HasSpheres = false;
+  bool HasOnlyTriangles = true;
 };
 }
 

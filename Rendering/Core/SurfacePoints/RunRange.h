@@ -16,7 +16,7 @@ struct RunRange
 {
   int firstRun = 0, endRun = 0;
   int first = 0, end = 0;
-  bool hasSpheres = false; ///< all primitives are spheres; otherwise all are triangles
+  PrimitiveKind kind = PrimitiveKind::Triangle; ///< of all primitives
   bool isUnlit = false;
   bool isSmooth = false;                  ///< normals at the corners; otherwise one of the face
   bool hasGivenNormals = false;           ///< some normals are not computed from the geometry
