@@ -174,7 +174,7 @@ void Casting<Policy>::castNext(
     NextPrimitive* const lines = moveToFront(spheres, PrimitiveKind::Sphere);
     triangles = static_cast<int>(spheres - next);
     this->Spheres.cast(spheres, static_cast<int>(lines - spheres), tile, memory.spheres);
-    this->Lines.cast(lines, static_cast<int>(end - lines), tile);
+    this->Lines.cast(lines, static_cast<int>(end - lines), tile, memory.lineHits);
   }
   this->Triangles.cast(next, triangles, tile, memory.triangles);
 }

@@ -11,8 +11,8 @@
  * 2. If they may cover the tile many times, cast the nearest few first.
  * 3. Cast the others, but drop those that lie behind the hits of all samples.
  *
- * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h), lines row by
- * row (LineCasting.h).
+ * Each kind of primitive is cast with kernels of its own (TriangleCasting.h, SphereCasting.h,
+ * LineCasting.h).
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
  * of each sample.
@@ -33,6 +33,7 @@ struct CastingMemory
   WaitingPrimitives waiting;
   TriangleBatch triangles;
   SphereBatch spheres;
+  std::vector<ExactHit> lineHits;
 };
 
 template <typename Policy>

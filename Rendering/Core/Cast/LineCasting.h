@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief casts the rays of a tile against lines
+ * @brief casts the rays of a tile against lines, with the kernel of LineCastingKernel.h
  *
- * A line covers a small part of its box. So each row is cast only where LineBounds.h says that the
- * line may be, with the definition, intersectLine().
+ * 1. Prefetch the ends of many lines.
+ * 2. Find the hits of each line.
+ * 3. Offer them to the policy, with their depths.
  */
 #ifndef lambent_LineCasting_h
 #define lambent_LineCasting_h
 
+#include "ExactHit.h"
 #include "Nearest.h"
 #include "TileHits.h"
 #include "WaitingPrimitives.h"
+
+#include <vector>
 
 namespace lambent
 {
@@ -25,11 +29,11 @@ public:
   {
   }
 
-  void cast(const NextPrimitive* lines, int count, TileHits<Policy>& tile) const;
+  /// `hits` is scratch memory.
+  void cast(const NextPrimitive* lines, int count, TileHits<Policy>& tile,
+    std::vector<ExactHit>& hits) const;
 
 private:
-  void cast(const WaitingPrimitive& waiting, const FrameLine& line, TileHits<Policy>& tile) const;
-
   const FrameMesh& Mesh;
 };
 

@@ -51,6 +51,7 @@ struct LineHit
   double a, b;  ///< what the ends of the surface's line contribute to data at the hit
   double u, v;  ///< from the nearest point of the projected line to the ray, in half widths
   double rise;  ///< sqrt(1 - u^2 - v^2): the height of the bulge, in half widths
+  double t;     ///< the place of that point, from 0 at the first end to 1 at the second
 };
 
 /// An order of points in the frame: by depth, then from the left, then from the bottom.
@@ -131,6 +132,7 @@ inline bool intersectLine(const Line& line, double x, double y, LineHit& hit)
   const double ex = (x - line.x) * line.perHalf, ey = (y - line.y) * line.perHalf;
   const double along = (ex * line.dx + ey * line.dy) * line.perSquare;
   const double t = along > 0.0 ? (along < 1.0 ? along : 1.0) : 0.0;
+  hit.t = t;
   hit.u = ex - t * line.dx;
   hit.v = ey - t * line.dy;
   const double square = hit.u * hit.u + hit.v * hit.v;

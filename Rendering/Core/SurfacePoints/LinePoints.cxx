@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinePoints.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace lambent
@@ -23,18 +24,18 @@ SurfaceColor colorAt(const Surface& surface, std::size_t line, const Vec3& weigh
       : colors->color(a) * weights.x + colors->color(b) * weights.y);
 }
 
-/// The unit vector perpendicular to a line, in its plane with the ray, towards the viewer. If the
-/// line has no length or points at the eye, the one against the ray. `ray` has length 1.
+/// A vector perpendicular to a line, in its plane with the ray, towards the viewer. If the line has
+/// no length or points at the eye, the one against the ray. `ray` has length 1.
 Vec3 perpendicular(const Vec3& along, const Vec3& ray)
 {
   constexpr double smallestSine = 1.0 / (std::int64_t(1) << 40);
-  if (!(dot(along, along) > 0.0))
+  const double square = dot(along, along);
+  if (!(square > 0.0))
   {
     return -ray;
   }
-  const Vec3 direction = normalized(along);
-  const Vec3 across = direction * dot(ray, direction) - ray;
-  return length(across) > smallestSine ? normalized(across) : -ray;
+  const Vec3 across = along * (dot(ray, along) / square) - ray;
+  return dot(across, across) > smallestSine * smallestSine ? across : -ray;
 }
 }
 
@@ -45,30 +46,54 @@ SurfacePoint LinePoints::at(const SceneMesh::Part& part, std::uint32_t number,
   line.isHit(x, y, hit);
   const CameraFrame& frame = this->Mesh.frame();
   const Vec3 position = frame.fromEye(x, y, hit.depth);
-  const Vec3 ray = frame.parallel ? frame.forward : normalized(frame.fromEye(x, y, 1.0));
+  const Vec3 ray = frame.parallel ? frame.forward : normalized(position);
   const Vec3 weights(hit.a, hit.b, 0.0);
+  const Surface& surface = *part.surface;
   const std::size_t place = number - part.firstPrimitive;
-  return { position, hit.depth, this->normal(*part.surface, place, hit, ray), weights,
-    colorAt(*part.surface, place, weights) };
-}
-
-Vec3 LinePoints::normal(
-  const Surface& surface, std::size_t line, const LineHit& hit, const Vec3& ray) const
-{
-  const std::uint64_t a = surface.corners[2 * line], b = surface.corners[2 * line + 1];
-  if (surface.isSmooth() && !surface.isRounded)
+  const std::uint64_t a = surface.corners[2 * place], b = surface.corners[2 * place + 1];
+  Vec3 normal;
+  if (surface.isRounded)
+  {
+    normal = this->roundNormal(surface.points[b] - surface.points[a], line.line, hit, ray);
+  }
+  else if (surface.isSmooth())
   {
     const Vec3 m = surface.pointNormals[a] * hit.a + surface.pointNormals[b] * hit.b;
-    return dot(m, ray) > 0.0 ? -m : m;
+    normal = dot(m, ray) > 0.0 ? -m : m;
   }
-  const Vec3 towards = perpendicular(surface.points[b] - surface.points[a], ray);
-  if (!surface.isRounded)
+  else
   {
-    return towards;
+    normal = perpendicular(surface.points[b] - surface.points[a], ray);
   }
-  const CameraFrame& frame = this->Mesh.frame();
-  const Vec3 offset = frame.right * hit.u + frame.up * hit.v;
-  return (offset - ray * dot(offset, ray)) + towards * hit.rise;
+  return { position, hit.depth, normal, weights, colorAt(surface, place, weights) };
+}
+
+Vec3 LinePoints::roundNormal(
+  const Vec3& along, const Line& line, const LineHit& hit, const Vec3& ray) const
+{
+  const auto across = [&](double u, double v)
+  {
+    const Vec3 offset = this->Mesh.frame().right * u + this->Mesh.frame().up * v;
+    return offset - ray * dot(offset, ray);
+  };
+  for (const double end : { 0.0, 1.0 }) // the nearer end first
+  {
+    const double u = hit.u + (hit.t - end) * line.dx, v = hit.v + (hit.t - end) * line.dy;
+    const double square = u * u + v * v;
+    if (square <= 1.0)
+    {
+      const Vec3 normal = across(u, v) - ray * std::sqrt(1.0 - square);
+      const bool isFirst = (end == 0.0) != line.isTurned;
+      if (!(dot(normal, isFirst ? -along : along) < 0.0))
+      {
+        return normal;
+      }
+    }
+  }
+  const double distance = (hit.u * line.dy - hit.v * line.dx) * line.perSquare;
+  const double u = distance * line.dy, v = -distance * line.dx;
+  return across(u, v) +
+    normalized(perpendicular(along, ray)) * std::sqrt(std::max(0.0, 1.0 - (u * u + v * v)));
 }
 
 double LinePoints::attribute(const SceneMesh::Part& part, std::uint32_t number, const Vec3& weights,

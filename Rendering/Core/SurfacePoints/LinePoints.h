@@ -9,9 +9,9 @@
  * - With smooth shading, the normals of the ends are interpolated, and turned if they point away.
  * - Otherwise the normal is perpendicular to the line, in the plane of the line and the ray. A line
  *   that points at the eye, and a point, look along the ray.
- * - If the surface is rounded (Surface::isRounded), its normal is that of a tube around the line,
- * or of a sphere around the point: across the line by the distance from the centre line, the rest
- *   towards the viewer.
+ * - If the surface is rounded (Surface::isRounded), its normal is that of a tube around the line
+ *   with half a sphere at each end: of the sphere, where that lies beyond the end; else across the
+ *   line by the distance from the centre line, and the rest towards the viewer.
  *
  * Attributes are interpolated along the line, with the share of the second end as its weight. The
  * third weight is 0.
@@ -53,7 +53,7 @@ public:
   const FrameMesh& mesh() const { return this->Mesh; }
 
 private:
-  Vec3 normal(const Surface& surface, std::size_t line, const LineHit& hit, const Vec3& ray) const;
+  Vec3 roundNormal(const Vec3& along, const Line& line, const LineHit& hit, const Vec3& ray) const;
 
   const FrameMesh& Mesh;
 };
