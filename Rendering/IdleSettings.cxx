@@ -6,6 +6,7 @@
 #include "BackgroundFromVTK.h"
 #include "CameraFromVTK.h"
 #include "InputName.h"
+#include "LinesFromVTK.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
 
@@ -35,20 +36,11 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
       messages.push_back(whose + " vtkProperty::" + text);
     }
   };
-  add(property->GetRepresentation() == VTK_WIREFRAME,
-    "SetRepresentationToWireframe() has no effect; faces are always filled. Convert the edges to "
-    "tubes with vtkExtractEdges and vtkTubeFilter.");
-  add(property->GetRepresentation() == VTK_POINTS,
-    "SetRepresentationToPoints() has no effect; faces are always filled. Draw the points as "
-    "spheres with SetInputSphereRadius().");
   add(property->GetOpacity() != 1.0,
     "SetOpacity() has no effect; every surface is opaque. Set it back to 1, or remove the input.");
   add(property->GetEdgeVisibility() != 0,
     "EdgeVisibilityOn() has no effect. Add tubes along the edges as another input, with "
     "vtkExtractEdges and vtkTubeFilter.");
-  add(property->GetVertexVisibility() != 0,
-    "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
-    "spheres with SetInputSphereRadius().");
   add(property->GetSpecular() != 0.0,
     "SetSpecular() has no effect; highlights are not supported. Set it back to 0.");
   add(property->GetInterpolation() == VTK_PBR,
@@ -149,6 +141,7 @@ std::string whyNoNormalsAreComputed(const SceneSettings& settings)
   for (const SceneSettings::Input& input : settings.inputs)
   {
     if (input.spheres.areOn() ||
+      lineStyleFromVTK(settings.propertyOf(input)).representation != LineStyle::Surface ||
       input.mesh->GetNumberOfPolys() + input.mesh->GetNumberOfStrips() == 0)
     {
       continue;

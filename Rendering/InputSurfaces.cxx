@@ -35,7 +35,8 @@ void forInput(const SceneSettings::Input& input, Body&& body)
 }
 
 InputSurfaces::InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
-  const std::vector<Appearance>& appearances, const Parallel& parallel)
+  const std::vector<Appearance>& appearances, const std::vector<LineStyle>& lineStyles,
+  const Parallel& parallel)
   : Inputs(inputs)
 {
   InputShares shares(inputs, parallel);
@@ -45,14 +46,18 @@ InputSurfaces::InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
     forInput(inputs[k],
       [&]()
       {
-        this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
-        this->FirstPrimitives.push_back(primitives);
-        primitives += this->Surfaces[k]->surface().primitiveCount();
+        this->Surfaces.push_back(std::make_unique<SurfaceFromVTK>(
+          inputs[k], appearances[k], lineStyles[k], shares.next()));
+        this->Surfaces[k]->forSurfaces(
+          [&](const Surface& surface)
+          {
+            this->Pieces.push_back({ primitives, k, &surface });
+            primitives += surface.primitiveCount();
+          });
         if (primitives >= noPrimitive)
         {
-          throw std::runtime_error("with it the scene has more than 4294967294 triangles and "
-                                   "spheres, which is the maximum.");
+          throw std::runtime_error("with it the scene has more than 4294967294 triangles, spheres "
+                                   "and lines, which is the maximum.");
         }
       });
   }
@@ -65,8 +70,9 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
     vtkDataArray* const own = this->Inputs[k].mesh->GetPointData()->GetNormals();
+    const bool hasFaces = surface.surface().triangleCount() > 0;
     if (surface.surface().appearance.shading != Shading::Smooth ||
-      surface.surface().triangleCount() == 0)
+      !(hasFaces || surface.hasLines()))
     {
       continue;
     }
@@ -81,7 +87,10 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
         });
       continue;
     }
-    (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
+    if (hasFaces)
+    {
+      (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
+    }
   }
   this->HasComputedNormals = !small.empty() || !large.empty();
   const double count = static_cast<double>(std::max<std::size_t>(large.size(), 1) + 1);
@@ -183,18 +192,23 @@ std::vector<Surface> InputSurfaces::surfaces() const
   std::vector<Surface> result;
   for (const auto& surface : this->Surfaces)
   {
-    result.push_back(surface->surface());
+    surface->append(result);
   }
   return result;
 }
 
+const InputSurfaces::Piece& InputSurfaces::pieceOf(std::size_t primitive) const
+{
+  return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), primitive,
+             [](std::size_t number, const Piece& piece) { return number < piece.firstPrimitive; }) -
+    1);
+}
+
 InputSurfaces::Place InputSurfaces::find(std::size_t primitive) const
 {
-  const auto after =
-    std::upper_bound(this->FirstPrimitives.begin(), this->FirstPrimitives.end(), primitive);
-  const auto input = static_cast<std::size_t>(after - this->FirstPrimitives.begin()) - 1;
-  return { input, this->Surfaces[input]->surface().cellOf(primitive - this->FirstPrimitives[input]),
-    this->Inputs[input].connection, this->Inputs[input].block };
+  const Piece& piece = this->pieceOf(primitive);
+  return { piece.input, piece.surface->cellOf(primitive - piece.firstPrimitive),
+    this->Inputs[piece.input].connection, this->Inputs[piece.input].block };
 }
 
 std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const

@@ -17,15 +17,9 @@ using PropertyChange = std::function<void(vtkProperty*)>;
 const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProperties()
 {
   static const std::vector<std::pair<std::vector<std::string>, PropertyChange>> settings{
-    { { "SetRepresentationToWireframe()", "vtkExtractEdges", "vtkTubeFilter" },
-      [](vtkProperty* property) { property->SetRepresentationToWireframe(); } },
-    { { "SetRepresentationToPoints()", "SetInputSphereRadius()" },
-      [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
     { { "SetOpacity()", "back to 1" }, [](vtkProperty* property) { property->SetOpacity(0.5); } },
     { { "EdgeVisibilityOn()", "vtkTubeFilter" },
       [](vtkProperty* property) { property->EdgeVisibilityOn(); } },
-    { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
-      [](vtkProperty* property) { property->VertexVisibilityOn(); } },
     { { "SetSpecular()", "back to 0" }, [](vtkProperty* property) { property->SetSpecular(0.3); } },
     { { "SetInterpolationToPBR()", "SetInterpolationToPhong()" },
       [](vtkProperty* property) { property->SetInterpolationToPBR(); } },
@@ -90,7 +84,7 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   Studio studio;
   Messages messages(studio.tracer);
   vtkNew<vtkProperty> shared, other;
-  shared->SetRepresentationToWireframe();
+  shared->EdgeVisibilityOn();
   for (int k = 0; k < 5; ++k)
   {
     studio.tracer->AddInputDataObject(makeSquare());
@@ -98,7 +92,7 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   }
   studio.tracer->SetInputProperty(0, other);
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "Wireframe" });
+  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "EdgeVisibilityOn()" });
 
   messages.clear();
   other->SetOpacity(0.5);
