@@ -9,6 +9,7 @@
 
 #include "Stage.h"
 
+#include "CellLines.h"
 #include "CheckedFaces.h"
 #include "CornerNormals.h"
 #include "DrawnTriangles.h"
@@ -46,8 +47,11 @@ private:
   lambent::CheckedFaces faces(const lambent::Parallel& parallel) const;
   void setPoints(const Body& body, const lambent::Parallel& parallel);
   void setColors(const Body& body);
+  void copyCells(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
+  void findUses(const Body& body, const lambent::Parallel& parallel);
   void setSpheres(const Body& body);
+  void setLines(const Body& body, const lambent::Parallel& parallel);
   void chooseTriangles(const Body& body, const lambent::Parallel& parallel);
   lambent::CellSpan polygons() const;
   lambent::CellSpan strips() const;
@@ -69,6 +73,7 @@ private:
   std::vector<std::int32_t> Offsets32, Ids32;
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;
+  lambent::LineList Lines;
   lambent::TriangleList Triangles;
   lambent::IndexSpan AllCorners;
   lambent::UnwrittenVector<lambent::CellUse> Uses;

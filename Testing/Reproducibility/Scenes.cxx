@@ -5,9 +5,9 @@
 SceneList allScenes()
 {
   SceneList all;
-  for (const SceneList& scenes :
-    { viewScenes(), sampleScenes(), filmScenes(), passScenes(), colorScenes(), lightScenes(),
-      surfaceScenes(), inputScenes(), crowdScenes(), sphereScenes(), hostileScenes() })
+  for (const SceneList& scenes : { viewScenes(), sampleScenes(), filmScenes(), passScenes(),
+         colorScenes(), lightScenes(), surfaceScenes(), inputScenes(), crowdScenes(),
+         sphereScenes(), lineScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

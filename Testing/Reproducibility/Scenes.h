@@ -33,6 +33,7 @@ SceneList surfaceScenes();
 SceneList inputScenes();
 SceneList crowdScenes();
 SceneList sphereScenes();
+SceneList lineScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

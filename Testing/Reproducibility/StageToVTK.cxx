@@ -100,7 +100,17 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
     points->SetData(toTuples<vtkDoubleArray>(body.shape.points));
   }
   result->SetPoints(points);
-  body.hasStrips ? result->SetStrips(toCells(body)) : result->SetPolys(toCells(body));
+  switch (body.show)
+  {
+    case CellShow::Vertices:
+      result->SetVerts(toCells(body));
+      break;
+    case CellShow::Polylines:
+      result->SetLines(toCells(body));
+      break;
+    default:
+      body.hasStrips ? result->SetStrips(toCells(body)) : result->SetPolys(toCells(body));
+  }
   if (!body.pointNormals.empty())
   {
     result->GetPointData()->SetNormals(toTuples<vtkDoubleArray>(body.pointNormals));
@@ -156,8 +166,9 @@ vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage)
   return image;
 }
 
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
+vtkSmartPointer<vtkProperty> toProperty(const Body& body)
 {
+  const lambent::Appearance& appearance = body.appearance;
   auto property = vtkSmartPointer<vtkProperty>::New();
   property->SetDiffuse(appearance.diffuse);
   property->SetAmbient(appearance.ambient);
@@ -169,6 +180,13 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
   property->SetLighting(appearance.shading != lambent::Shading::Unlit);
   property->SetFrontfaceCulling(appearance.cullFront);
   property->SetBackfaceCulling(appearance.cullBack);
+  property->SetRepresentation(body.show == CellShow::Edges ? VTK_WIREFRAME
+      : body.show == CellShow::Points                      ? VTK_POINTS
+                                                           : VTK_SURFACE);
+  property->SetLineWidth(static_cast<float>(body.width));
+  property->SetPointSize(static_cast<float>(body.width));
+  property->SetRenderLinesAsTubes(body.isRounded);
+  property->SetRenderPointsAsSpheres(body.isRounded);
   return property;
 }
 

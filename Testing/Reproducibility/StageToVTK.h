@@ -30,7 +30,7 @@ vtkSmartPointer<vtkDataArray> toArray(const StageArray& array);
 /// The background image; nullptr if there is none.
 vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
 vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors);
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
+vtkSmartPointer<vtkProperty> toProperty(const Body& body);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);
 
 /// VTK stores a direction as two points. Throws std::runtime_error if the direction of a cone would
