@@ -15,6 +15,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     Crystal
     Diffuse
     FlatAndSmooth
+    Lines
     Passes
     SharpEdges
     Spheres
