@@ -6,6 +6,7 @@
 #include "BackgroundFromVTK.h"
 #include "CameraFromVTK.h"
 #include "InputName.h"
+#include "LinesFromVTK.h"
 #include "PassArrays.h"
 #include "SceneSettings.h"
 #include "TexturesOfInputs.h"
@@ -36,15 +37,6 @@ void addProperty(Messages& messages, const std::string& whose, vtkProperty* prop
       messages.push_back(whose + " vtkProperty::" + text);
     }
   };
-  add(property->GetRepresentation() == VTK_WIREFRAME,
-    "SetRepresentationToWireframe() has no effect; faces are always filled. Convert the edges to "
-    "tubes with vtkExtractEdges and vtkTubeFilter.");
-  add(property->GetRepresentation() == VTK_POINTS,
-    "SetRepresentationToPoints() has no effect; faces are always filled. Draw the points as "
-    "spheres with SetInputSphereRadius().");
-  add(property->GetVertexVisibility() != 0,
-    "VertexVisibilityOn() has no effect. Connect the input once more, and draw its points as "
-    "spheres with SetInputSphereRadius().");
   add(property->GetInterpolation() == VTK_PBR,
     "SetInterpolationToPBR() only selects smooth shading. Call SetInterpolationToPhong() instead.");
   add(property->GetNumberOfTextures() > 0,
@@ -124,6 +116,7 @@ std::string whyNoNormalsAreComputed(const SceneSettings& settings)
   for (const SceneSettings::Input& input : settings.inputs)
   {
     if (input.spheres.areOn() ||
+      lineStyleFromVTK(settings.propertyOf(input)).representation != LineStyle::Surface ||
       input.mesh->GetNumberOfPolys() + input.mesh->GetNumberOfStrips() == 0)
     {
       continue;

@@ -39,8 +39,8 @@ private:
   const Parallel& Whole;
 };
 
-/// Divides the work by the numbers of triangles. There may be a hundred thousand inputs, so many
-/// small ones share one checkpoint.
+/// Divides the work by the numbers of triangles, lines and points. There may be a hundred thousand
+/// inputs, so many small ones share one checkpoint.
 class InputShares
 {
 public:
@@ -51,7 +51,8 @@ public:
     std::size_t before = 0;
     for (const SceneSettings::Input& input : inputs)
     {
-      before += costOfAny + corners(input.mesh->GetPolys()) / 3 + corners(input.mesh->GetStrips());
+      before += costOfAny + corners(input.mesh->GetPolys()) / 3 + corners(input.mesh->GetStrips()) +
+        corners(input.mesh->GetLines()) + corners(input.mesh->GetVerts());
       this->Ends.push_back(before);
     }
   }

@@ -35,26 +35,39 @@ void forInput(const SceneSettings::Input& input, Body&& body)
 }
 
 InputSurfaces::InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
-  const std::vector<Appearance>& appearances, const Parallel& parallel)
+  const std::vector<Appearance>& appearances, const std::vector<LineStyle>& lineStyles,
+  const Parallel& parallel)
   : Inputs(inputs)
 {
   InputShares shares(inputs, parallel);
-  std::size_t primitives = 0;
   for (std::size_t k = 0; k < inputs.size(); ++k)
   {
     forInput(inputs[k],
       [&]()
       {
-        this->Surfaces.push_back(
-          std::make_unique<SurfaceFromVTK>(inputs[k], appearances[k], shares.next()));
-        this->FirstPrimitives.push_back(primitives);
-        primitives += this->Surfaces[k]->surface().primitiveCount();
-        if (primitives >= noPrimitive)
-        {
-          throw std::runtime_error("with it the scene has more than 4294967294 triangles and "
-                                   "spheres, which is the maximum.");
-        }
+        this->Surfaces.push_back(std::make_unique<SurfaceFromVTK>(
+          inputs[k], appearances[k], lineStyles[k], shares.next()));
+        this->Surfaces[k]->forSurfaces(
+          [&](const Surface& surface) {
+            this->Pieces.push_back({ 0, k, &surface });
+          });
       });
+  }
+}
+
+void InputSurfaces::numberPrimitives()
+{
+  std::size_t primitives = 0;
+  for (Piece& piece : this->Pieces)
+  {
+    piece.firstPrimitive = primitives;
+    primitives += piece.surface->primitiveCount();
+    if (primitives >= noPrimitive)
+    {
+      throw std::runtime_error(nameOf(this->Inputs[piece.input]) +
+        ": with it the scene has more than 4294967294 triangles, spheres and lines, which is the "
+        "maximum.");
+    }
   }
 }
 
@@ -65,8 +78,9 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
   {
     SurfaceFromVTK& surface = *this->Surfaces[k];
     vtkDataArray* const own = this->Inputs[k].mesh->GetPointData()->GetNormals();
+    const bool hasFaces = surface.surface().triangleCount() > 0;
     if (surface.surface().appearance.shading != Shading::Smooth ||
-      surface.surface().triangleCount() == 0)
+      !(hasFaces || surface.hasLines()))
     {
       continue;
     }
@@ -81,7 +95,10 @@ void InputSurfaces::addNormals(bool useOwn, double featureAngle, const Parallel&
         });
       continue;
     }
-    (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
+    if (hasFaces)
+    {
+      (surface.surface().triangleCount() < trianglesOfSmall ? small : large).push_back(k);
+    }
   }
   this->HasComputedNormals = !small.empty() || !large.empty();
   const double count = static_cast<double>(std::max<std::size_t>(large.size(), 1) + 1);
@@ -188,18 +205,23 @@ std::vector<Surface> InputSurfaces::surfaces() const
   std::vector<Surface> result;
   for (const auto& surface : this->Surfaces)
   {
-    result.push_back(surface->surface());
+    surface->append(result);
   }
   return result;
 }
 
+const InputSurfaces::Piece& InputSurfaces::pieceOf(std::size_t primitive) const
+{
+  return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), primitive,
+             [](std::size_t number, const Piece& piece) { return number < piece.firstPrimitive; }) -
+    1);
+}
+
 InputSurfaces::Place InputSurfaces::find(std::size_t primitive) const
 {
-  const auto after =
-    std::upper_bound(this->FirstPrimitives.begin(), this->FirstPrimitives.end(), primitive);
-  const auto input = static_cast<std::size_t>(after - this->FirstPrimitives.begin()) - 1;
-  return { input, this->Surfaces[input]->surface().cellOf(primitive - this->FirstPrimitives[input]),
-    this->Inputs[input].connection, this->Inputs[input].block };
+  const Piece& piece = this->pieceOf(primitive);
+  return { piece.input, piece.surface->cellOf(primitive - piece.firstPrimitive),
+    this->Inputs[piece.input].connection, this->Inputs[piece.input].block };
 }
 
 std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
@@ -212,7 +234,7 @@ std::string InputSurfaces::describeWrongCorner(const MeshDefects& defects) const
 std::string InputSurfaces::describeNotFinite(const MeshDefects& defects) const
 {
   const Place place = this->find(defects.firstNotFinite);
-  if (this->Surfaces[place.input]->surface().hasSpheres())
+  if (this->Surfaces[place.input]->surface().kind() == PrimitiveKind::Sphere)
   {
     return std::to_string(defects.notFinite) +
       (defects.notFinite == 1 ? " sphere or cell has a point that is"

@@ -19,11 +19,12 @@ namespace lambent::adapters
 class InputSurfaces
 {
 public:
-  /// Surface k shows inputs[k] with appearances[k]: its cells, or spheres at its points. The inputs
-  /// must outlive this object. This and the other functions throw std::runtime_error with a message
-  /// that names the input.
+  /// Surface k shows inputs[k] with appearances[k] and lineStyles[k]: its cells, or spheres at its
+  /// points. It may consist of several surfaces of the scene. The inputs must outlive this object.
+  /// This and the other functions throw std::runtime_error with a message that names the input.
   InputSurfaces(const std::vector<SceneSettings::Input>& inputs,
-    const std::vector<Appearance>& appearances, const Parallel& parallel);
+    const std::vector<Appearance>& appearances, const std::vector<LineStyle>& lineStyles,
+    const Parallel& parallel);
 
   /// Gives normals to the surfaces with smooth shading: the input's own if it has some and useOwn
   /// is true, otherwise computed ones.
@@ -48,6 +49,8 @@ public:
   };
   ArrayForm formOf(std::size_t attribute) const;
 
+  /// Counts the primitives. To be called after addColors(), since transparent spheres have more.
+  void numberPrimitives();
   /// The input and its cell that a primitive belongs to; primitives are counted over all inputs.
   struct Place
   {
@@ -66,12 +69,20 @@ public:
   std::string describeNotFinite(const MeshDefects& defects) const;
 
 private:
+  /// A surface of the scene.
+  struct Piece
+  {
+    std::size_t firstPrimitive, input;
+    const Surface* surface;
+  };
+
+  const Piece& pieceOf(std::size_t primitive) const;
   void computeSmallNormals(
     const std::vector<std::size_t>& inputs, double featureAngle, const Parallel& parallel);
 
   const std::vector<SceneSettings::Input>& Inputs;
   std::vector<std::unique_ptr<SurfaceFromVTK>> Surfaces;
-  std::vector<std::size_t> FirstPrimitives; ///< of each input, counted over all inputs
+  std::vector<Piece> Pieces;
   bool HasComputedNormals = false;
 };
 }

@@ -29,7 +29,8 @@ constexpr double boundsShare = 1.0 - SceneFromSettings::normalsShare;
 
 SceneFromSettings::SceneFromSettings(const SceneSettings& settings, const Parallel& parallel)
   : Settings(settings)
-  , Surfaces(settings.inputs, appearances(settings), Share(parallel, 0.0, surfacesShare))
+  , Surfaces(settings.inputs, appearances(settings), lineStyles(settings),
+      Share(parallel, 0.0, surfacesShare))
 {
   this->addCamera(Share(parallel, surfacesShare, boundsShare));
   this->addLights();
@@ -69,6 +70,16 @@ std::vector<Appearance> SceneFromSettings::appearances(const SceneSettings& sett
           "vtkCompositeDataDisplayAttributes::SetBlockOpacity() with one.");
       }
     }
+  }
+  return result;
+}
+
+std::vector<LineStyle> SceneFromSettings::lineStyles(const SceneSettings& settings)
+{
+  std::vector<LineStyle> result;
+  for (const SceneSettings::Input& input : settings.inputs)
+  {
+    result.push_back(lineStyleFromVTK(settings.propertyOf(input)));
   }
   return result;
 }
@@ -153,6 +164,7 @@ void SceneFromSettings::addSurfaces(const Parallel& parallel)
       this->Surfaces.addTexture(k, *texture);
     }
   }
+  this->Surfaces.numberPrimitives();
   this->Surfaces.addAttributes(this->Settings.passArrays);
   this->Description.surfaces = this->Surfaces.surfaces();
 }

@@ -31,6 +31,7 @@ public:
 
 private:
   static std::vector<Appearance> appearances(const SceneSettings& settings);
+  static std::vector<LineStyle> lineStyles(const SceneSettings& settings);
   void addCamera(const Parallel& parallel);
   void addLights();
   void addBackground();

@@ -37,14 +37,15 @@ std::string describe(vtkDataArray* array)
 }
 }
 
-SurfaceFromVTK::SurfaceFromVTK(
-  const SceneSettings::Input& input, const Appearance& appearance, const Parallel& parallel)
+SurfaceFromVTK::SurfaceFromVTK(const SceneSettings::Input& input, const Appearance& appearance,
+  const LineStyle& lineStyle, const Parallel& parallel)
   : Input(input.mesh)
   , Placement(input.transform)
   , PlacementOfNormals(input.transform)
 {
   const double pointsShare = input.transform.isIdentity() ? 0.0 : 0.2;
-  const double trianglesShare = 0.9;
+  const bool hasFaces = lineStyle.representation == LineStyle::Surface;
+  const double linesShare = hasFaces ? pointsShare : 1.0, trianglesShare = 0.9;
   this->Result.appearance = appearance;
   this->setPoints(Share(parallel, 0.0, pointsShare));
   if (input.spheres.areOn())
@@ -52,7 +53,13 @@ SurfaceFromVTK::SurfaceFromVTK(
     setSpheres(input.spheres, input.mesh, this->Spans, this->Result);
     return;
   }
-  this->setCells(Share(parallel, pointsShare, trianglesShare));
+  this->Lines = std::make_unique<LinesFromVTK>(input.mesh, this->Result.points, appearance,
+    lineStyle, this->Spans, Share(parallel, pointsShare, linesShare));
+  if (!hasFaces)
+  {
+    return;
+  }
+  this->setCells(Share(parallel, linesShare, trianglesShare));
   this->chooseTriangles(Share(parallel, trianglesShare, 1.0));
   vtkDataArray* cellNormals = input.mesh->GetCellData()->GetNormals();
   if (cellNormals && appearance.shading == Shading::Flat)
@@ -64,8 +71,23 @@ SurfaceFromVTK::SurfaceFromVTK(
 
 void SurfaceFromVTK::setPointNormals(vtkDataArray* normals, const Parallel& parallel)
 {
-  this->Result.pointNormals =
-    this->normals(normals, this->Input->GetNumberOfPoints(), "point", parallel);
+  this->PointNormals = this->normals(normals, this->Input->GetNumberOfPoints(), "point", parallel);
+  this->Result.pointNormals = this->PointNormals;
+}
+
+const std::vector<std::unique_ptr<Surface>>& SurfaceFromVTK::lines() const
+{
+  static const std::vector<std::unique_ptr<Surface>> none;
+  return this->Lines ? this->Lines->surfaces() : none;
+}
+
+void SurfaceFromVTK::append(std::vector<Surface>& to) const
+{
+  if (this->Lines)
+  {
+    this->Lines->append(this->Result, this->PointNormals, to);
+  }
+  to.push_back(this->Result);
 }
 
 void SurfaceFromVTK::computeNormals(double featureAngle, const Parallel& parallel)
@@ -113,7 +135,8 @@ void SurfaceFromVTK::addColors(const InputColors& settings)
   {
     this->Colors = std::make_unique<ColorsFromVTK>(this->Input, settings, this->Spans);
     this->Result.colors = this->Colors->colors();
-    if (this->Result.colors && this->Result.hasSpheres() && this->Result.colors->values.isPerCell)
+    if (this->Result.colors && this->Result.kind() == PrimitiveKind::Sphere &&
+      this->Result.colors->values.isPerCell)
     {
       throw std::runtime_error(
         "the colours come from a cell array, but spheres have the colours of "

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief polydata as a surface of the core's scene
+ * @brief polydata as surfaces of the core's scene
  *
  * Points and normals of float or double, and triangles, are used in place. Other number types and
  * memory layouts are converted, points and normals transformed, polygons and strips divided into
  * triangles, and triangles of ghost cells left out, in memory that the SurfaceFromVTK owns.
- * Computed normals use the same spans, so nothing is converted or merged twice.
+ * Computed normals use the same spans, so nothing is converted or merged twice. Lines and points
+ * come before the faces (LinesFromVTK.h).
  */
 #ifndef SurfaceFromVTK_h
 #define SurfaceFromVTK_h
@@ -15,6 +16,7 @@
 #include "ColorsFromVTK.h"
 #include "CornerNormals.h"
 #include "DrawnTriangles.h"
+#include "LinesFromVTK.h"
 #include "MergedFaces.h"
 #include "Parallel.h"
 #include "Scene.h"
@@ -37,10 +39,25 @@ class SurfaceFromVTK
 public:
   /// The polydata must outlive this object. This and the other functions throw std::runtime_error
   /// with a message for the user.
-  SurfaceFromVTK(
-    const SceneSettings::Input& input, const Appearance& appearance, const Parallel& parallel);
+  SurfaceFromVTK(const SceneSettings::Input& input, const Appearance& appearance,
+    const LineStyle& lineStyle, const Parallel& parallel);
 
+  /// The faces or spheres.
   const Surface& surface() const { return this->Result; }
+  /// Calls body(surface) for the surfaces of lines and points and that of the faces, in order.
+  /// Their addresses stay; lines and points have no attributes, normals and colours here.
+  template <typename Body>
+  void forSurfaces(const Body& body) const
+  {
+    for (const auto& lines : this->lines())
+    {
+      body(*lines);
+    }
+    body(this->Result);
+  }
+  /// Appends all surfaces.
+  void append(std::vector<Surface>& to) const;
+  bool hasLines() const { return this->Lines && !this->Lines->isEmpty(); }
 
   /// Sets the normals for smooth shading, one for each point. They must outlive this object.
   void setPointNormals(vtkDataArray* normals, const Parallel& parallel);
@@ -60,6 +77,7 @@ public:
   std::string describeWrongCell(std::int64_t cell) const;
 
 private:
+  const std::vector<std::unique_ptr<Surface>>& lines() const;
   void setPoints(const Parallel& parallel);
   void setCells(const Parallel& parallel);
   void chooseTriangles(const Parallel& parallel);
@@ -73,6 +91,7 @@ private:
   const Transform Placement;
   const Cofactors PlacementOfNormals;
   UnwrittenVector<double> Points, GivenNormals; ///< transformed
+  TupleSpan PointNormals;                       ///< the input's, if they are used
   CellSpan Polygons, Strips;
   MergedFaces Merged; ///< polygons and strips, until normals are computed; empty without strips
   Surface Result;
@@ -85,6 +104,7 @@ private:
   CornerNormals Normals;                       ///< if they are computed
   UnwrittenVector<std::int32_t> NormalNumbers; ///< of the corners of Triangles
   SpansFromVTK Spans;
+  std::unique_ptr<LinesFromVTK> Lines;        ///< unless there are spheres
   std::unique_ptr<ColorsFromVTK> Colors;      ///< if the scalars are visible
   std::unique_ptr<const TextureMap> Textured; ///< if it has a texture
 };

@@ -225,8 +225,9 @@ public:
    * port 0 that the mesh belongs to, counted from 0. If any input is composite, add "BlockIds",
    * too: the flat index of the mesh in its input, as vtkDataObjectTreeIterator counts; -1 at inputs
    * that are not composite. Of several cells at the same depth it is the one of the smallest input,
-   * then of the smallest block, then of the smallest id. A sphere has the number of its
-   * point as "CellIds". Needs 20 bytes per pixel, or 28 with
+   * then of the smallest block, then of the smallest id. An edge or point that
+   * several cells share belongs to the first of them. A sphere has the number of its point as
+   * "CellIds". Needs 20 bytes per pixel, or 28 with
    * blocks. Default: off.
    */
   vtkSetMacro(GenerateIds, vtkTypeBool);
@@ -239,14 +240,14 @@ public:
    * Add a point array of that name to the picture: the values of a point or cell array of the
    * surfaces seen (association: vtkDataObject::FIELD_ASSOCIATION_POINTS or
    * FIELD_ASSOCIATION_CELLS). Point arrays are interpolated with the barycentric coordinates of
-   * the hit, of the triangle that the cell was cut into; cell arrays are not. The coordinates are
-   * rounded and may not sum to exactly 1, so that even a value that all points share may change in
-   * its last digits: labels belong on cells. All of a sphere has the value of its point, and NaN as
-   * the value of a cell array. The array is double if the input's is, or has integers
-   * of 32 or 64 bits, and otherwise float. Inputs that have the array must agree in its number of
-   * components. Its values are NaN on inputs that do not have it; an array that no input has causes
-   * a warning. Names of the picture's own arrays (see the table above), and one name twice, are an
-   * error. Default: none.
+   * the hit, of the triangle that the cell was cut into, or along the line; cell arrays are not.
+   * The coordinates are rounded and may not sum to exactly 1, so that even a value that all points
+   * share may change in its last digits: labels belong on cells. All of a sphere has the value of
+   * its point, and NaN as the value of a cell array. The array is double if the input's is, or has
+   * integers of 32 or 64 bits, and otherwise float. Inputs that have the array must agree in its
+   * number of components. Its values are NaN on inputs that do not have it; an array that no input
+   * has causes a warning. Names of the picture's own arrays (see the table above), and one name
+   * twice, are an error. Default: none.
    */
   void AddPassArray(int association, const char* name);
   void RemoveAllPassArrays();

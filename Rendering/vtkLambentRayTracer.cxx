@@ -68,7 +68,8 @@ void vtkLambentRayTracer::ResetCamera()
     }
     const SMPParallel parallel;
     const std::vector<lambent::Appearance> appearances(scene.inputs.size());
-    const InputSurfaces surfaces(scene.inputs, appearances, parallel);
+    const std::vector<LineStyle> lineStyles(scene.inputs.size()); // none changes the bounds
+    const InputSurfaces surfaces(scene.inputs, appearances, lineStyles, parallel);
     vtkSmartPointer<vtkCamera> camera = this->Camera;
     if (!camera)
     {

@@ -32,13 +32,23 @@
  *
  * Inputs: port 0 takes any number of connections, each a vtkPolyData or composite data
  * (vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, nested). Together
- * they form one scene. Polygons with any number of points and triangle strips are rendered, or
- * spheres at the points (SetInputSphereRadius()); vertices and lines are not.
+ * they form one scene. Polygons with any number of points, triangle strips, lines and vertices are
+ * rendered, or spheres at the points (SetInputSphereRadius()).
  * Smooth shading uses an input's point normals (vtkPointData::GetNormals(), 3 components),
  * flat shading its cell normals (vtkCellData::GetNormals()). Normals may have any numeric
  * type; all but float and double are converted to double. Smooth inputs without point
  * normals get computed ones that keep sharp edges sharp (Splitting, FeatureAngle). Inputs
  * are never modified.
+ *
+ * Lines and points: lines are as wide as vtkProperty's LineWidth, in pixels of the picture, and
+ * vertices are discs of PointSize. With Representation "wireframe", the edges of polygons and
+ * strips are lines, and nothing is filled; with "points", the points that cells use are discs. An
+ * edge or point that several cells share is drawn once and belongs to the first of them.
+ * VertexVisibility adds the points that cells use in VertexColor, without light. Lines and points
+ * bulge towards the eye like a tube of their width, so that those on a face are visible; no depth
+ * is shifted. They are lit with the point normals of a smooth-shaded input, and otherwise with
+ * normals perpendicular to the line, both turned to the viewer; with RenderLinesAsTubes and
+ * RenderPointsAsSpheres, with those of a tube or sphere. Culling does not apply to them.
  *
  * Composite data: each vtkPolyData block is a surface of its own, in the order of the flat index;
  * normals are not smoothed from block to block. Where faces coincide, the smallest (input, block,
@@ -57,14 +67,14 @@
  * See vtkLambentAlgorithm for the output and for image size, background and the other
  * settings that do not depend on where the scene comes from.
  *
- * Bad input: errors are a block that contains itself, a polygon or strip that uses a point
- * that does not exist, normals, radii, colours, texture coordinates or ghost arrays of the wrong
- * length, radii that are negative or not finite, a transform that cannot be used
- * (SetInputTransform()), an image size below 1 or too large for the memory, a view angle outside
- * (0, 180) degrees, a view-up parallel to the view direction, and settings that are not finite.
- * They name the cause and the remedy, and the output is empty. Cells and spheres with points that
- * are not finite are skipped, with one warning. Without any triangles or spheres the image shows
- * the background.
+ * Bad input: errors are a block that contains itself, a cell that uses a point that does not exist,
+ * a LineWidth or PointSize that something has and that is not a finite number above 0, normals,
+ * radii, colours, texture coordinates or ghost arrays of the wrong length, radii that are negative
+ * or not finite, a transform that cannot be used (SetInputTransform()), an image size below 1 or
+ * too large for the memory, a view angle outside (0, 180) degrees, a view-up parallel to the view
+ * direction, and settings that are not finite. They name the cause and the remedy, and the output
+ * is empty. Cells and spheres with points that are not finite are skipped, with one warning.
+ * Without any cells or spheres the image shows the background.
  *
  * @warning
  * Not all settings of VTK's objects have an effect. The image depends on vtkCamera's
@@ -72,12 +82,13 @@
  * and scale, and window centre. It ignores the clipping range; user transforms, off-axis
  * projection, view shear and explicit projection matrices are not supported. It depends on
  * vtkProperty's diffuse and ambient colours and coefficients, Interpolation, Lighting,
- * Opacity, FrontfaceCulling and BackfaceCulling, its specular coefficient, colour and power, and
- * its edges, but not on wireframe, points and textures by name (SetInputTexture() sets one). A
- * setting without effect causes a
- * warning, once for as long as it stays; this includes FeatureAngle and Splitting if they are
- * changed although no input needs computed normals. Shading multiplies up to six lengths, so
- * coordinates and distances must lie between about 1e-50 and 1e50.
+ * Opacity, FrontfaceCulling, BackfaceCulling, Specular, SpecularColor, SpecularPower,
+ * EdgeVisibility and its settings, Representation, LineWidth, PointSize, RenderLinesAsTubes,
+ * RenderPointsAsSpheres, VertexVisibility and VertexColor, but not on textures by name
+ * (SetInputTexture() sets one). A setting without effect causes a warning, once for as long as it
+ * stays; this includes FeatureAngle and Splitting if they are changed although no input needs
+ * computed normals. Shading multiplies up to six lengths, so coordinates and distances must lie
+ * between about 1e-50 and 1e50.
  *
  * @par Thanks:
  * Ray-triangle test: S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle

@@ -18,6 +18,7 @@ if (TARGET VTK::FiltersCore AND TARGET VTK::FiltersSources AND TARGET VTK::IOIma
     FlatAndSmooth
     Glass
     Highlights
+    Lines
     Passes
     SharpEdges
     Spheres

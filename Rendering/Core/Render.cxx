@@ -38,7 +38,7 @@ public:
     , How(settings)
     , Mesh(scene.surfaces, parallel)
     , Samples(image.samplePart())
-    , Frame(scene.camera, image.width * image.samples, image.height * image.samples)
+    , Frame(scene.camera, image.width * image.samples, image.height * image.samples, image.samples)
     , Lattice(this->Frame, this->Samples)
     , Positions(new LatticePosition[this->Mesh.pointCount()])
     , Grid(this->Samples.width(), this->Samples.height(),
@@ -124,9 +124,9 @@ private:
     this->Mesh.forPoints(begin, end,
       [&](const SceneMesh::Part& part, std::size_t from, std::size_t to)
       {
-        if (part.hasSpheres())
+        if (part.kind() != PrimitiveKind::Triangle)
         {
-          return; // SphereBinning locates them
+          return; // the binning of other kinds locates them
         }
         LatticePosition* const positions = this->Positions.get() + part.firstPoint;
         if (this->How.kernels)

@@ -264,7 +264,7 @@ TEST(SphereScenes, PassesShowTheSphere)
     for (std::size_t pixel = 0; pixel < picture.primitives.size(); ++pixel)
     {
       const std::uint32_t number = picture.primitives[pixel];
-      if (number == noPrimitive || !mesh.partOf(number).hasSpheres())
+      if (number == noPrimitive || mesh.partOf(number).kind() != PrimitiveKind::Sphere)
       {
         continue;
       }

@@ -112,7 +112,7 @@ TEST(TextureScenes, SpheresHaveNone)
     for (std::size_t pixel = 0; pixel < plain.primitives.size(); ++pixel)
     {
       const std::uint32_t hit = plain.primitives[pixel];
-      if (hit == noPrimitive || mesh.partOf(hit).hasSpheres())
+      if (hit == noPrimitive || mesh.partOf(hit).kind() == PrimitiveKind::Sphere)
       {
         EXPECT_EQ(
           std::memcmp(&plain.floats[3 * pixel], &textured.floats[3 * pixel], 3 * sizeof(float)), 0);

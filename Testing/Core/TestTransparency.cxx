@@ -29,7 +29,8 @@ public:
     {
       const double opacities[] = { 1.0, 0.0, 0.25, random.within(0.0, 1.0), 1.0 };
       surface.appearance.opacity = opacities[random.below(5)];
-      if (surface.colors && surface.hasSpheres() && surface.colors->values.isPerCell)
+      if (surface.colors && surface.kind() == PrimitiveKind::Sphere &&
+        surface.colors->values.isPerCell)
       {
         surface.colors = nullptr; // spheres have no cells
       }

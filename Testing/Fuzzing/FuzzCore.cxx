@@ -189,6 +189,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Window part = makePart(input, width, height);
   FuzzScene scene(input, width, height, film.hasPasses ? 2 : 0);
   scene.addSpheres(input);
+  scene.addLines(input);
   scene.addTextures(input);
   scene.addStyles(input);
   scene.scene.backgroundImage = film.behind;

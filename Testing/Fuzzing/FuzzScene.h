@@ -255,6 +255,25 @@ struct FuzzScene
     }
   }
 
+  /// Turns some surfaces of triangles into lines. Call it after addSpheres(), for the same reason.
+  void addLines(FuzzInput& input)
+  {
+    for (lambent::Surface& surface : this->scene.surfaces)
+    {
+      if (surface.kind() != lambent::PrimitiveKind::Triangle || input.choice(4) != 3)
+      {
+        continue;
+      }
+      surface.corners.size = 2 * surface.triangleCount(); // there may be one cell for each triangle
+      surface.width = input.flag() ? input.within(0.0, 20.0) : std::fabs(input.number());
+      surface.isRounded = input.flag();
+      if (surface.normalNumbers.data)
+      {
+        surface.pointNormals = lambent::TupleSpan(); // there may be fewer than points
+      }
+    }
+  }
+
   /// Gives some surfaces textures. Call it after addSpheres().
   void addTextures(FuzzInput& input)
   {

@@ -87,6 +87,12 @@ TEXTURE_FACTORS = "Rendering/Core/SurfacePoints/TextureFactors.cxx"
 TEXTURE_FROM_VTK = "Rendering/TextureFromVTK.cxx"
 RAY_TRACER_INPUTS = "Rendering/vtkLambentRayTracerInputs.cxx"
 SPHERES_FROM_VTK = "Rendering/SpheresFromVTK.cxx"
+LINE_CONTRACT = "Rendering/Core/Contract/LineContract.h"
+LINE_BOUNDS = "Rendering/Core/Frame/LineBounds.h"
+LINE_BINNING = "Rendering/Core/Tiles/LineBinning.cxx"
+LINE_POINTS = "Rendering/Core/SurfacePoints/LinePoints.cxx"
+CELL_LINES = "Rendering/Core/Scene/CellLines.cxx"
+LINES_FROM_VTK = "Rendering/LinesFromVTK.cxx"
 TRANSFORM = "Rendering/Core/Scene/Transform.h"
 COFACTORS = "Rendering/Core/Scene/Transform.cxx"
 DRAWN = "Rendering/Core/Scene/DrawnTriangles.cxx"
@@ -520,13 +526,37 @@ MUTATIONS = [
      "normals turn inside a sphere, in kernels"),
     (LOADING_SPHERES, "part.hasOutside(batch.primitives[run]) ? 1.0 : 0.0", "1.0",
      "kernels know that the outside is not drawn"),
-    (RUN_RANGE, "other.hasSpheres != this->hasSpheres", "false", "ranges have one kind of primitive"),
-    (SURFACE, " &&\n      !(this->hasSpheres() && this->attributes[index].isPerCell);", ";",
+    (RUN_RANGE, "other.kind != this->kind", "false", "ranges have one kind of primitive"),
+    (SURFACE, " &&\n      !(this->kind() == PrimitiveKind::Sphere && this->attributes[index].isPerCell);", ";",
      "spheres have no values of cells"),
     (SURFACE, "this->radius * this->radii[sphere]", "this->radii[sphere]", "radii are multiplied"),
     (SURFACE, "body(this->points[sphere] - Vec3(size));", "", "bounds include radii"),
     (SPHERES_FROM_VTK, "settings.radius > 0.0 ? settings.radius : 1.0", "settings.radius",
      "an array alone gives the radii"),
+    # Lines.
+    (LINE_CONTRACT, "line.isTurned = comesBefore(b, a);", "line.isTurned = false;",
+     "a line and the same line turned are equal"),
+    (LINE_CONTRACT, "t * line.az / (t * line.az + (1.0 - t) * line.bz)", "t",
+     "data on lines is in perspective"),
+    (LINE_CONTRACT, "line.aShare + s * (1.0 - line.aShare)", "s", "lines that are cut keep their data"),
+    (LINE_CONTRACT, "std::min(half, 0.5)", "half", "wide lines have no hole"),
+    (LINE_CONTRACT, "z - hit.rise * (line.parallel ? line.bulge : line.bulge * z)", "z",
+     "lines on a surface are visible"),
+    (LINE_BOUNDS, "const double more = 1.0 + this->Slack;", "const double more = 1.0 - this->Slack;",
+     "bounds of lines hold their caps"),
+    (LINE_BOUNDS, "this->Reach + (dx * height + dy * width)", "this->Reach",
+     "a tile beside the centre line is kept"),
+    (LINE_BINNING, "result.defects.notFinite += isFirstOfCell(surface, line);",
+     "++result.defects.notFinite;", "cells with points that are not finite count once"),
+    (LINE_POINTS, "dot(m, ray) > 0.0 ? -m : m", "m", "normals of lines look at the viewer"),
+    (LINE_POINTS, "return offset - ray * dot(offset, ray);", "return offset;",
+     "spheres at the edge of a wide view are not skewed"),
+    (LINE_POINTS, "(end == 0.0) != line.isTurned", "end == 0.0", "tubes end at the right end"),
+    (CELL_LINES, "isFirst[edges[k].number] = edges[k].larger != edges[k - 1].larger;", "",
+     "an edge is drawn once"),
+    (CELL_LINES, "edges.add(points[k], points[k + 2], cell);", "", "the triangles of strips have edges"),
+    (LINES_FROM_VTK, "style.pointsAreSpheres ? look.shading : Shading::Unlit", "look.shading",
+     "marked vertices have their plain colour"),
     # Transforms, ghosts and blocks.
     (TRANSFORM, "((m[0] * p.x + m[1] * p.y) + m[2] * p.z) + m[3]",
      "(m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3])", "transformed points are summed in order"),

@@ -65,23 +65,6 @@ TEST(BadInput, CellsWithMissingPoints)
   }
 }
 
-// They are not drawn, so they are not read.
-TEST(BadInput, VerticesAndLinesWithMissingPoints)
-{
-  Mesh mesh = makeSquare();
-  mesh->SetVerts(makeCells({ { 9 } }));
-  mesh->SetLines(makeCells({ { 0, -1 } }));
-  for (int interpolation : { VTK_PHONG, VTK_FLAT })
-  {
-    Studio studio;
-    const Messages messages(studio.tracer);
-    studio.property->SetInterpolation(interpolation);
-    studio.tracer->SetInputData(mesh);
-    EXPECT_EQ(render(studio.tracer).count(Studio::background()), 0);
-    EXPECT_TRUE(messages.errors().empty());
-  }
-}
-
 TEST(BadInput, CellsWithoutAnyPoints)
 {
   Mesh mesh = Mesh::New();
@@ -204,7 +187,7 @@ TEST(BadInput, NonFiniteCoordinatesAreSkippedWithOneWarning)
       studio.tracer->AddInputDataObject(mesh);
       EXPECT_EQ(render(studio.tracer).count(Vec(1.0)), 32 * 24); // the other cells are drawn
       expectMessage(messages.warnings(),
-        { "3 cells have a point that is not finite", "the first is cell 3 of input 1", "Remove" });
+        { "4 cells have a point that is not finite", "the first is cell 0 of input 1", "Remove" });
       EXPECT_TRUE(messages.errors().empty());
       messages.clear();
       mesh->GetPoints()->SetPoint(4, 0.0, 0.0, -1.0);

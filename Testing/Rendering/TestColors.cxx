@@ -360,7 +360,7 @@ TEST(Colors, OfSpheresAreThoseOfTheirPoints)
     grid.add(array);
     grid.tracer->SetInputLookupTable(0, table);
     grid.tracer->SetInputSphereRadius(0, 0.25);
-    grid.property->BackfaceCullingOn(); // only the outside of transparent ones
+    grid.property->BackfaceCullingOn();             // only the outside of transparent ones
     for (const bool isMappedLast : { false, true }) // which has no effect without interpolation
     {
       grid.tracer->SetInputInterpolateScalarsBeforeMapping(

@@ -17,12 +17,6 @@ using PropertyChange = std::function<void(vtkProperty*)>;
 const std::vector<std::pair<std::vector<std::string>, PropertyChange>>& idleProperties()
 {
   static const std::vector<std::pair<std::vector<std::string>, PropertyChange>> settings{
-    { { "SetRepresentationToWireframe()", "vtkExtractEdges", "vtkTubeFilter" },
-      [](vtkProperty* property) { property->SetRepresentationToWireframe(); } },
-    { { "SetRepresentationToPoints()", "SetInputSphereRadius()" },
-      [](vtkProperty* property) { property->SetRepresentationToPoints(); } },
-    { { "VertexVisibilityOn()", "SetInputSphereRadius()" },
-      [](vtkProperty* property) { property->VertexVisibilityOn(); } },
     { { "SetInterpolationToPBR()", "SetInterpolationToPhong()" },
       [](vtkProperty* property) { property->SetInterpolationToPBR(); } },
     { { "SetTexture()", "RemoveAllTextures()" },
@@ -86,7 +80,7 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   Studio studio;
   Messages messages(studio.tracer);
   vtkNew<vtkProperty> shared, other;
-  shared->SetRepresentationToWireframe();
+  shared->EdgeVisibilityOn();
   for (int k = 0; k < 5; ++k)
   {
     studio.tracer->AddInputDataObject(makeSquare());
@@ -94,7 +88,7 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   }
   studio.tracer->SetInputProperty(0, other);
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "Wireframe" });
+  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "EdgeVisibilityOn()" });
 
   messages.clear();
   other->SetInterpolationToPBR();

@@ -145,7 +145,7 @@ TEST(Ids, CountAllCellsOfAMesh)
   mesh->SetLines(lines);
   mesh->SetStrips(strips);
   studio.tracer->AddInputDataObject(mesh);
-  EXPECT_EQ(render(studio).cells, (std::vector<vtkIdType>{ 3, 4, 5, 6, -1 }));
+  EXPECT_EQ(render(studio).cells, (std::vector<vtkIdType>{ 2, 4, 5, 6, -1 }));
 }
 
 TEST(Ids, DoNotChangeColours)

@@ -86,7 +86,7 @@ TEST(PassArrays, CellArraysIncludeVerticesAndLines)
   }
   const Mesh mesh = makeMesh(corners, { { 0, 2, 3, 1 }, { 2, 4, 5, 3 } });
   mesh->SetVerts(makeCells({ { 0 }, { 1 }, { 2 } }));
-  mesh->SetLines(makeCells({ { 0, 1 }, { 1, 2, 3 } }));
+  mesh->SetLines(makeCells({ { 0, 0 }, { 1, 1, 1 } }));
   mesh->SetStrips(makeCells({ { 4, 6, 5, 7 }, { 6, 8, 7, 9 } }));
   const auto array = addArray(mesh, cells, VTK_FLOAT, "Tens", 1);
   ASSERT_EQ(array->GetNumberOfTuples(), 9);

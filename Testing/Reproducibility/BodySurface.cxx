@@ -28,6 +28,10 @@ BodySurface::BodySurface(const Body& body, const lambent::Parallel& parallel)
   {
     this->setSpheres(body);
   }
+  else if (!body.hasFaces())
+  {
+    this->setLines(body, parallel);
+  }
   else
   {
     this->setCells(body, parallel);
@@ -120,8 +124,7 @@ void BodySurface::setPoints(const Body& body, const lambent::Parallel& parallel)
   }
 }
 
-// As for polydata: a list of triangles is used in place, all other cells are triangulated.
-void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
+void BodySurface::copyCells(const Body& body)
 {
   this->Offsets64.push_back(0);
   for (const auto& cell : body.shape.cells)
@@ -131,6 +134,12 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
   }
   this->Ids32.assign(this->Ids64.begin(), this->Ids64.end());
   this->Offsets32.assign(this->Offsets64.begin(), this->Offsets64.end());
+}
+
+// As for polydata: a list of triangles is used in place, all other cells are triangulated.
+void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
+{
+  this->copyCells(body);
   if (!this->HasStrips && inspect(this->cells(), parallel) == lambent::CellSizes::Triangles)
   {
     this->Result.corners = this->cells().connectivity;
@@ -153,6 +162,33 @@ void BodySurface::setCells(const Body& body, const lambent::Parallel& parallel)
   }
 }
 
+void BodySurface::setLines(const Body& body, const lambent::Parallel& parallel)
+{
+  this->copyCells(body);
+  this->findUses(body, parallel);
+  const std::size_t points = this->Result.points.size;
+  const lambent::CellUse* const uses = this->Uses.empty() ? nullptr : this->Uses.data();
+  const lambent::CellGroup all{ this->cells(), 0, uses };
+  switch (body.show)
+  {
+    case CellShow::Vertices:
+      addVertices(all, this->Lines);
+      break;
+    case CellShow::Polylines:
+      addPolylines(all, this->Lines);
+      break;
+    case CellShow::Edges:
+      addEdges({ this->polygons(), 0, uses }, { this->strips(), 0, uses }, points, this->Lines);
+      break;
+    default:
+      addUsedPoints({ all }, points, this->Lines);
+  }
+  this->Result.corners = { this->Lines.corners.data(), true, this->Lines.corners.size() };
+  this->Result.cells = this->Lines.cells.data();
+  this->Result.width = body.width;
+  this->Result.isRounded = body.isRounded;
+}
+
 void BodySurface::setSpheres(const Body& body)
 {
   const std::size_t count = body.radii.size();
@@ -167,13 +203,18 @@ void BodySurface::setSpheres(const Body& body)
   }
 }
 
-void BodySurface::chooseTriangles(const Body& body, const lambent::Parallel& parallel)
+void BodySurface::findUses(const Body& body, const lambent::Parallel& parallel)
 {
   const auto dataOf = [](const std::vector<unsigned char>& flags)
   { return flags.empty() ? nullptr : flags.data(); };
-  this->AllCorners = this->Result.corners;
   this->Uses = findCellUses(this->polygons(), this->strips(), this->Result.points.size,
     { dataOf(body.pointGhosts), dataOf(body.cellGhosts) }, parallel);
+}
+
+void BodySurface::chooseTriangles(const Body& body, const lambent::Parallel& parallel)
+{
+  this->AllCorners = this->Result.corners;
+  this->findUses(body, parallel);
   this->Drawn = lambent::DrawnTriangles(this->AllCorners.size / 3, this->Result.cells, 0,
     this->Uses, this->PlacementOfNormals.isMirror(), parallel);
   if (!this->Drawn.areUnchanged())

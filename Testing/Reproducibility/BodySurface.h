@@ -9,6 +9,7 @@
 
 #include "Stage.h"
 
+#include "CellLines.h"
 #include "CheckedFaces.h"
 #include "CornerNormals.h"
 #include "DrawnTriangles.h"
@@ -47,8 +48,11 @@ private:
   void setPoints(const Body& body, const lambent::Parallel& parallel);
   void setColors(const Body& body);
   void setTexture(const StageTexture& texture);
+  void copyCells(const Body& body);
   void setCells(const Body& body, const lambent::Parallel& parallel);
+  void findUses(const Body& body, const lambent::Parallel& parallel);
   void setSpheres(const Body& body);
+  void setLines(const Body& body, const lambent::Parallel& parallel);
   void chooseTriangles(const Body& body, const lambent::Parallel& parallel);
   lambent::CellSpan polygons() const;
   lambent::CellSpan strips() const;
@@ -70,6 +74,7 @@ private:
   std::vector<std::int32_t> Offsets32, Ids32;
   std::vector<std::int64_t> Offsets64, Ids64;
   std::vector<double> PointNormals, CellNormals;
+  lambent::LineList Lines;
   lambent::TriangleList Triangles;
   lambent::UnwrittenVector<unsigned char> CellEdges;
   lambent::IndexSpan AllCorners;

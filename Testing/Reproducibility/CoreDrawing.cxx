@@ -15,7 +15,7 @@ namespace
 bool lacksNormals(const Body& body)
 {
   return body.appearance.shading == lambent::Shading::Smooth && body.pointNormals.empty() &&
-    !body.hasSpheres();
+    body.hasFaces();
 }
 
 /// Converts bodies to surfaces, and computes normals for smooth ones without them.

@@ -8,7 +8,7 @@ SceneList allScenes()
   for (const SceneList& scenes :
     { viewScenes(), sampleScenes(), filmScenes(), passScenes(), colorScenes(), lightScenes(),
       surfaceScenes(), edgeScenes(), specularScenes(), inputScenes(), crowdScenes(), sphereScenes(),
-      textureScenes(), transparencyScenes(), hostileScenes() })
+      lineScenes(), textureScenes(), transparencyScenes(), hostileScenes() })
   {
     all.insert(all.end(), scenes.begin(), scenes.end());
   }

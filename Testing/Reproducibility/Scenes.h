@@ -37,6 +37,7 @@ SceneList crowdScenes();
 SceneList sphereScenes();
 SceneList transparencyScenes();
 SceneList textureScenes();
+SceneList lineScenes();
 SceneList hostileScenes();
 
 /// All scenes of these lists.

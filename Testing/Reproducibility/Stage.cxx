@@ -101,6 +101,19 @@ Body& Body::spheres(double factor, const std::vector<double>& sizes)
   return this->spheres(factor);
 }
 
+Body& Body::lines(CellShow how, double pixels)
+{
+  this->show = how;
+  this->width = pixels;
+  return *this;
+}
+
+Body& Body::tubes(CellShow how, double pixels)
+{
+  this->isRounded = true;
+  return this->lines(how, pixels);
+}
+
 Body& Body::place(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& offset)
 {
   this->transform = { { { x.x, x.y, x.z, offset.x }, { y.x, y.y, y.z, offset.y },

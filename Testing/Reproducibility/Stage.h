@@ -72,6 +72,16 @@ struct StageTexture
   StageTexture& interpolated();
 };
 
+/// What the cells of a body are, or how they are shown.
+enum class CellShow
+{
+  Faces,
+  Vertices,  ///< cells are vertices
+  Polylines, ///< cells are polylines
+  Edges,     ///< the wireframe of polygons or strips
+  Points     ///< the points of polygons or strips
+};
+
 /// One input of the ray tracer. By default smooth, with computed normals.
 struct Body
 {
@@ -79,8 +89,11 @@ struct Body
   bool hasStrips = false; ///< the cells are strips, not polygons
   bool hasFloatPoints = false;
   bool has32BitIds = false;
-  double radius = 0.0;            ///< unless 0, the points are spheres
-  std::vector<double> radii;      ///< times radius, one per point; or none
+  double radius = 0.0;       ///< unless 0, the points are spheres
+  std::vector<double> radii; ///< times radius, one per point; or none
+  CellShow show = CellShow::Faces;
+  double width = 1.0;             ///< of lines and points, in pixels
+  bool isRounded = false;         ///< lines are tubes, and points spheres
   std::vector<Vec3> pointNormals; ///< one per point, or none
   std::vector<Vec3> cellNormals;  ///< one per cell, or none
   lambent::Weighting weighting = lambent::Weighting::Angle;
@@ -112,6 +125,11 @@ struct Body
   /// Makes the points spheres of these sizes times a factor.
   Body& spheres(double factor, const std::vector<double>& sizes);
   bool hasSpheres() const { return this->radius > 0.0; }
+  /// Shows the cells as lines or points of this width.
+  Body& lines(CellShow how, double pixels);
+  /// The same, as tubes or spheres.
+  Body& tubes(CellShow how, double pixels);
+  bool hasFaces() const { return !this->hasSpheres() && this->show == CellShow::Faces; }
   /// Sets the rows of the transform.
   Body& place(const Vec3& x, const Vec3& y, const Vec3& z, const Vec3& offset);
   Body& inBlock(const std::vector<int>& path);

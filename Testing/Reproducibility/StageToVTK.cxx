@@ -102,7 +102,17 @@ vtkSmartPointer<vtkPolyData> toPolyData(const Body& body)
     points->SetData(toTuples<vtkDoubleArray>(body.shape.points));
   }
   result->SetPoints(points);
-  body.hasStrips ? result->SetStrips(toCells(body)) : result->SetPolys(toCells(body));
+  switch (body.show)
+  {
+    case CellShow::Vertices:
+      result->SetVerts(toCells(body));
+      break;
+    case CellShow::Polylines:
+      result->SetLines(toCells(body));
+      break;
+    default:
+      body.hasStrips ? result->SetStrips(toCells(body)) : result->SetPolys(toCells(body));
+  }
   if (!body.pointNormals.empty())
   {
     result->GetPointData()->SetNormals(toTuples<vtkDoubleArray>(body.pointNormals));
@@ -196,8 +206,9 @@ vtkSmartPointer<vtkTexture> toTexture(const StageTexture& texture)
   return result;
 }
 
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
+vtkSmartPointer<vtkProperty> toProperty(const Body& body)
 {
+  const lambent::Appearance& appearance = body.appearance;
   auto property = vtkSmartPointer<vtkProperty>::New();
   property->SetDiffuse(appearance.diffuse);
   property->SetAmbient(appearance.ambient);
@@ -211,13 +222,19 @@ vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance)
   const lambent::EdgeStyle& edges = appearance.edges;
   property->SetEdgeVisibility(edges.areVisible);
   property->SetEdgeColor(edges.color.x, edges.color.y, edges.color.z);
-  property->SetLineWidth(static_cast<float>(edges.width));
   const lambent::SpecularStyle& specular = appearance.specular;
   property->SetSpecular(specular.coefficient);
   property->SetSpecularColor(specular.color.x, specular.color.y, specular.color.z);
   property->SetSpecularPower(specular.power);
   property->SetFrontfaceCulling(appearance.cullFront);
   property->SetBackfaceCulling(appearance.cullBack);
+  property->SetRepresentation(body.show == CellShow::Edges ? VTK_WIREFRAME
+      : body.show == CellShow::Points                      ? VTK_POINTS
+                                                           : VTK_SURFACE);
+  property->SetLineWidth(static_cast<float>(edges.areVisible ? edges.width : body.width));
+  property->SetPointSize(static_cast<float>(body.width));
+  property->SetRenderLinesAsTubes(body.isRounded);
+  property->SetRenderPointsAsSpheres(body.isRounded);
   return property;
 }
 

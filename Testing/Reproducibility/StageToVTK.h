@@ -33,7 +33,7 @@ vtkSmartPointer<vtkImageData> toBackgroundImage(const Stage& stage);
 /// nullptr if there is none.
 vtkSmartPointer<vtkTexture> toTexture(const StageTexture& texture);
 vtkSmartPointer<vtkLookupTable> toTable(const StageColors& colors);
-vtkSmartPointer<vtkProperty> toProperty(const lambent::Appearance& appearance);
+vtkSmartPointer<vtkProperty> toProperty(const Body& body);
 vtkSmartPointer<vtkCamera> toCamera(const lambent::Camera& camera);
 
 /// VTK stores a direction as two points. Throws std::runtime_error if the direction of a cone would

@@ -32,7 +32,7 @@ std::vector<Body> prepared(std::vector<Body> bodies, unsigned int shuffle)
   for (Body& body : bodies)
   {
     if (body.appearance.shading != lambent::Shading::Smooth || !body.pointNormals.empty() ||
-      body.hasSpheres())
+      !body.hasFaces())
     {
       continue;
     }
@@ -110,7 +110,7 @@ void addBlocks(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRa
     attributes->SetBlockVisibility(blockAt(hidden, root), false);
   }
   tracer->AddInputDataObject(root);
-  tracer->SetInputProperty(input, toProperty(bodies.front().appearance));
+  tracer->SetInputProperty(input, toProperty(bodies.front()));
   tracer->SetInputTransform(input, toMatrix(bodies.front().transform));
   tracer->SetInputBlockAttributes(input, attributes);
 }
@@ -129,7 +129,7 @@ void addBodies(const std::vector<Body>& bodies, const Stage& stage, vtkLambentRa
     }
     const int input = tracer->GetNumberOfInputConnections(0);
     tracer->AddInputDataObject(toPolyData(*body));
-    tracer->SetInputProperty(input, toProperty(body->appearance));
+    tracer->SetInputProperty(input, toProperty(*body));
     tracer->SetInputTransform(input, toMatrix(body->transform));
     tracer->SetInputSphereRadius(input, body->radius);
     tracer->SetInputSphereRadiusArray(input, body->radii.empty() ? nullptr : radiiName);

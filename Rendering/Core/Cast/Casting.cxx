@@ -156,7 +156,7 @@ void Casting<Policy>::castWaiting(
   }
 }
 
-/// Casts primitives with the kernels of their kinds.
+/// Casts primitives by their kinds.
 template <typename Policy>
 void Casting<Policy>::castNext(
   NextPrimitive* next, int count, TileHits<Policy>& tile, CastingMemory& memory) const
@@ -169,12 +169,19 @@ void Casting<Policy>::castNext(
         next);
   }
   int triangles = count;
-  if (this->Mesh.mesh().hasSpheres())
+  if (!this->Mesh.mesh().hasOnlyTriangles())
   {
-    const auto* const spheres = std::partition(
-      next, next + count, [](const NextPrimitive& one) { return !one.part->hasSpheres(); });
+    NextPrimitive* const end = next + count;
+    const auto moveToFront = [end](NextPrimitive* begin, PrimitiveKind kind)
+    {
+      return std::partition(
+        begin, end, [kind](const NextPrimitive& one) { return one.part->kind() == kind; });
+    };
+    NextPrimitive* const spheres = moveToFront(next, PrimitiveKind::Triangle);
+    NextPrimitive* const lines = moveToFront(spheres, PrimitiveKind::Sphere);
     triangles = static_cast<int>(spheres - next);
-    this->Spheres.cast(spheres, count - triangles, tile, memory.spheres);
+    this->Spheres.cast(spheres, static_cast<int>(lines - spheres), tile, memory.spheres);
+    this->Lines.cast(lines, static_cast<int>(end - lines), tile, memory.lineHits);
   }
   this->Triangles.cast(next, triangles, tile, memory.triangles);
 }

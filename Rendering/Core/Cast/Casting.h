@@ -11,7 +11,8 @@
  * 2. If they may cover the tile many times, cast the nearest few first.
  * 3. Cast the others, but drop those that lie behind the hits of all samples.
  *
- * Triangles and spheres are cast with kernels (TriangleCasting.h, SphereCasting.h).
+ * Each kind of primitive is cast with kernels of its own (TriangleCasting.h, SphereCasting.h,
+ * LineCasting.h).
  *
  * A policy, chosen at compile time, decides what to do with the hits. Nearest keeps the nearest hit
  * of each sample. In a scene that has transparent surfaces, it only takes the opaque ones; Layers
@@ -21,6 +22,7 @@
 #define lambent_Casting_h
 
 #include "Bins.h"
+#include "LineCasting.h"
 #include "SphereCasting.h"
 #include "TriangleCasting.h"
 
@@ -32,6 +34,7 @@ struct CastingMemory
   WaitingPrimitives waiting;
   TriangleBatch triangles;
   SphereBatch spheres;
+  std::vector<ExactHit> lineHits;
 };
 
 template <typename Policy>
@@ -44,6 +47,7 @@ public:
     , Grid(grid)
     , Triangles(mesh)
     , Spheres(mesh)
+    , Lines(mesh)
     , IsMixed(mesh.mesh().hasTransparency())
   {
   }
@@ -90,6 +94,7 @@ private:
   const TileGrid& Grid;
   const TriangleCasting<Policy> Triangles;
   const SphereCasting<Policy> Spheres;
+  const LineCasting<Policy> Lines;
   const bool IsMixed; ///< the scene has transparent surfaces
 };
 

@@ -113,7 +113,7 @@ private:
       return false;
     }
     const SceneMesh::Part& part = this->Mesh.mesh().partOf(layer.primitive);
-    if (!part.isTransparent() || part.hasSpheres())
+    if (!part.isTransparent() || part.kind() != PrimitiveKind::Triangle)
     {
       return false;
     }

@@ -6,10 +6,10 @@
  *
  * An image is a pure function of its scene. All rendering code, in any order and on any number of
  * threads, must compute pixels with the functions of this file, Arithmetic.h and Elementary.h, in
- * the order written there, and with the definitions built on them: surface points and attributes in
- * TrianglePoints.h and SpherePoints.h, colours in SurfaceColor.h and LightModel.h, averages and
- * alpha in Film.h, the background in Background.h, passes in PassTable.h and PassStore.h, and edges
- * of cells in EdgeLines.h.
+ * the order written there, and with the definitions built on them: lines in LineContract.h, edges
+ * of cells in EdgeLines.h, surface points and attributes in TrianglePoints.h, SpherePoints.h and
+ * LinePoints.h, colours in SurfaceColor.h, LightModel.h and SampleShading.h, averages and alpha in
+ * Film.h, the background in Background.h, and passes in PassTable.h and PassStore.h.
  *
  * - Arithmetic is IEEE binary64 with + - * / sqrt, rounded to nearest. The module is compiled
  *   without contraction (-ffp-contract=off) and without -ffast-math.

@@ -43,10 +43,11 @@ CameraDefect findDefect(const Camera& camera)
   return length(side) > parallelSine ? CameraDefect::None : CameraDefect::ViewUp;
 }
 
-CameraFrame::CameraFrame(const Camera& camera, int width, int height)
+CameraFrame::CameraFrame(const Camera& camera, int width, int height, int samplesPerPixel)
   : eye(camera.position)
   , forward(normalized(camera.focalPoint - camera.position))
   , parallel(camera.parallel)
+  , samplesPerPixel(samplesPerPixel)
   , centerX(0.5 * width - (0.5 * width) * camera.windowCenter[0])
   , centerY(0.5 * height - (0.5 * height) * camera.windowCenter[1])
 {

@@ -34,17 +34,22 @@ CameraDefect findDefect(const Camera& camera);
 
 struct CameraFrame
 {
-  /// The frame for an image of width x height pixels. The camera must have no defect.
-  CameraFrame(const Camera& camera, int width, int height);
+  /// The frame for an image of width x height samples, with samplesPerPixel across a pixel of the
+  /// picture. The camera must have no defect.
+  CameraFrame(const Camera& camera, int width, int height, int samplesPerPixel = 1);
 
   Vec3 eye, right, up, forward;
   bool parallel;
-  double pixel;   ///< side length of a pixel on the image plane
-  double centerX; ///< position of the image plane's origin, in pixels
+  double pixel;        ///< side length of a sample on the image plane
+  int samplesPerPixel; ///< across a pixel of the picture, in which widths of lines are measured
+  double centerX;      ///< position of the image plane's origin, in samples
   double centerY;
 
   double x(int i) const { return ((i + 0.5) - this->centerX) * this->pixel; }
   double y(int j) const { return ((j + 0.5) - this->centerY) * this->pixel; }
+
+  /// Half of a width in pixels of the picture, on the image plane.
+  double halfOf(double width) const { return 0.5 * (width * this->samplesPerPixel) * this->pixel; }
 
   FramePoint toFrame(const Vec3& v) const
   {

@@ -12,6 +12,7 @@
 #define lambent_FrameMesh_h
 
 #include "CameraFrame.h"
+#include "LineContract.h"
 #include "SceneMesh.h"
 
 namespace lambent
@@ -53,6 +54,24 @@ struct FrameSphere
   }
 };
 
+struct FrameLine
+{
+  Line line;
+  bool isDrawn; ///< false: there is no line to hit
+
+  bool isHit(double x, double y, LineHit& hit) const
+  {
+    return this->isDrawn && intersectLine(this->line, x, y, hit);
+  }
+  bool isHit(double x, double y, double& depth) const
+  {
+    LineHit hit{};
+    const bool isHit = this->isHit(x, y, hit);
+    depth = hit.depth;
+    return isHit;
+  }
+};
+
 class FrameMesh
 {
 public:
@@ -86,13 +105,25 @@ public:
       this->Frame.parallel };
   }
 
+  FrameLine line(const SceneMesh::Part& part, std::uint32_t number) const
+  {
+    const std::size_t first = 2 * (number - part.firstPrimitive);
+    const auto end = [&](std::size_t k)
+    { return this->Frame.toFrame(part.points()[part.corners()[first + k]]); };
+    FrameLine result{};
+    result.isDrawn = projectLine(
+      end(0), end(1), this->Frame.halfOf(part.surface->width), this->Frame.parallel, result.line);
+    return result;
+  }
+
   /// Returns body(primitive), where the primitive is a struct of its kind, see above.
   template <typename Body>
   auto visit(std::uint32_t number, const Body& body) const
   {
     const SceneMesh::Part& part = this->Mesh.partOf(number);
-    return part.hasSpheres() ? body(this->sphere(part, number))
-                             : body(this->triangle(part, number));
+    return part.kind() == PrimitiveKind::Triangle ? body(this->triangle(part, number))
+      : part.kind() == PrimitiveKind::Sphere      ? body(this->sphere(part, number))
+                                                  : body(this->line(part, number));
   }
 
   /// Whether the ray through (x, y) hits a primitive, and at which depth.

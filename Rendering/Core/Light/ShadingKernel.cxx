@@ -11,6 +11,7 @@
 #include "VectorPointBatch.h"
 #include "VectorSurfacePoints.h"
 
+#include "LineBatch.h"
 #include "ShadingKernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -149,14 +150,45 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace lambent
 {
+namespace
+{
+/// Shades a range of lines, one sample at a time.
+void shadeLines(const SurfacePoints& points, const LightModel& light, const RunRange& range,
+  SampleBatch& batch, PointBatch* result)
+{
+  forLinePoints(points, range, batch,
+    [&](int place, const SurfacePoint& point)
+    {
+      const Vec3 color = light.color(point);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        batch.colors[channel][place] = color[channel];
+      }
+      if (result)
+      {
+        store(point, points.eye(), *result, place);
+      }
+    });
+}
+}
+
 HWY_EXPORT(ShadeTriangles);
 HWY_EXPORT(ShadeSpheres);
 
 void shadeSamples(const SurfacePoints& points, const LightModel& light, const RunRange& range,
   SampleBatch& batch, PointBatch* result)
 {
-  range.hasSpheres ? HWY_DYNAMIC_DISPATCH(ShadeSpheres)(points, light, range, batch, result)
-                   : HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch, result);
+  switch (range.kind)
+  {
+    case PrimitiveKind::Triangle:
+      HWY_DYNAMIC_DISPATCH(ShadeTriangles)(points, light, range, batch, result);
+      break;
+    case PrimitiveKind::Sphere:
+      HWY_DYNAMIC_DISPATCH(ShadeSpheres)(points, light, range, batch, result);
+      break;
+    case PrimitiveKind::Line:
+      shadeLines(points, light, range, batch, result);
+  }
 }
 }
 #endif

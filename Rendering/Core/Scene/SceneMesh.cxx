@@ -47,7 +47,8 @@ void SceneMesh::read(const std::vector<Surface>& surfaces, Block& block)
     this->Parts[k] = Part(surface, *appearance, block.primitives, block.points);
     block.primitives += this->Parts[k].primitiveCount;
     block.points += surface.points.size;
-    block.hasSpheres = block.hasSpheres || this->Parts[k].hasSpheres();
+    block.hasOnlyTriangles =
+      block.hasOnlyTriangles && this->Parts[k].kind() == PrimitiveKind::Triangle;
     block.hasTransparency = block.hasTransparency || this->Parts[k].isTransparent();
     block.hasVaryingOpacity =
       block.hasVaryingOpacity || (surface.colors && surface.colors->hasAlpha);
@@ -63,7 +64,7 @@ void SceneMesh::join(std::vector<Block>& blocks)
   {
     this->Primitives += std::exchange(block.primitives, this->Primitives);
     this->Points += std::exchange(block.points, this->Points);
-    this->HasSpheres = this->HasSpheres || block.hasSpheres;
+    this->HasOnlyTriangles = this->HasOnlyTriangles && block.hasOnlyTriangles;
     this->HasTransparency = this->HasTransparency || block.hasTransparency;
     this->HasVaryingOpacity = this->HasVaryingOpacity || block.hasVaryingOpacity;
     block.replacement = previous && block.first->isSameAs(*previous) ? previous : block.first;

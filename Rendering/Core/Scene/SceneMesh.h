@@ -4,8 +4,8 @@
  * @file
  * @brief the surfaces of a scene, with primitives and points numbered consecutively
  *
- * A primitive is what a ray hits as a whole: a triangle or a sphere. Primitives and points are
- * counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
+ * A primitive is what a ray hits as a whole: a triangle, a sphere or a line. Primitives and points
+ * are counted over all surfaces in order. So (input, cell, primitive within the cell) becomes one
  * number. Of two hits at the same depth, the one with the smaller number is kept.
  */
 #ifndef lambent_SceneMesh_h
@@ -61,11 +61,11 @@ public:
       , Flags(static_cast<unsigned char>((s.isSmooth() ? Smooth : 0) |
           (s.normalNumbers.data ? NormalNumbers : 0) | (s.cellNormals ? CellNormals : 0) |
           (a.isCulling() ? Culling : 0) | (s.colors ? Colored : 0) |
-          (s.hasSpheres() ? Spheres : 0) | (s.isTransparent() ? Transparent : 0) |
-          (s.texture && !s.hasSpheres() ? Textured : 0)))
+          (s.isTransparent() ? Transparent : 0) | (s.hasTexture() ? Textured : 0) |
+          (a.edges.areVisible && s.kind() == PrimitiveKind::Triangle ? Edges : 0)))
       , Source(sourceOf(s))
-      , HasEdges(a.edges.areVisible && !s.hasSpheres())
       , IsShiny(a.isShiny())
+      , Kind(s.kind())
     {
     }
 
@@ -80,7 +80,7 @@ public:
     ColorSource colorSource() const { return this->Source; }
     /// Whether all hits have the same colour, before they are lit.
     bool hasOneColor() const { return (this->Flags & Colored) == 0; }
-    bool hasSpheres() const { return (this->Flags & Spheres) != 0; }
+    PrimitiveKind kind() const { return this->Kind; }
     bool hasTexture() const { return (this->Flags & Textured) != 0; }
     bool isTransparent() const { return (this->Flags & Transparent) != 0; }
 
@@ -102,7 +102,7 @@ public:
     }
 
     /// Whether lines are drawn along the edges of its cells.
-    bool hasEdges() const { return this->HasEdges; }
+    bool hasEdges() const { return (this->Flags & Edges) != 0; }
     bool isShiny() const { return this->IsShiny; }
 
     /// Reads the next part.
@@ -117,9 +117,10 @@ public:
   private:
     static ColorSource sourceOf(const Surface& s)
     {
-      return !s.colors || s.colors->values.isPerCell || s.hasSpheres() ? ColorSource::Primitive
-        : s.colors->isMappedLast                                       ? ColorSource::MappedLast
-                                                                       : ColorSource::Interpolated;
+      return !s.colors || s.colors->values.isPerCell || s.kind() == PrimitiveKind::Sphere
+        ? ColorSource::Primitive
+        : s.colors->isMappedLast ? ColorSource::MappedLast
+                                 : ColorSource::Interpolated;
     }
 
     enum : unsigned char
@@ -129,9 +130,9 @@ public:
       CellNormals = 4,
       Culling = 8,
       Colored = 16,
-      Spheres = 32,
-      Transparent = 64,
-      Textured = 128
+      Transparent = 32,
+      Textured = 64,
+      Edges = 128
     };
     const void* Points;
     const void* Corners;
@@ -139,7 +140,8 @@ public:
     bool HasDoublePoints, HasWideCorners, HasDoubleNormals;
     unsigned char Flags;
     ColorSource Source;
-    bool HasEdges, IsShiny;
+    bool IsShiny;
+    PrimitiveKind Kind;
   };
   static_assert(sizeof(Part) == 64);
 
@@ -147,8 +149,8 @@ public:
 
   std::size_t primitiveCount() const { return this->Primitives; }
   std::size_t pointCount() const { return this->Points; }
-  /// Whether some primitives are spheres.
-  bool hasSpheres() const { return this->HasSpheres; }
+  /// Whether all primitives are triangles.
+  bool hasOnlyTriangles() const { return this->HasOnlyTriangles; }
   /// Whether some surfaces are transparent.
   bool hasTransparency() const { return this->HasTransparency; }
   /// Whether the opacity of some surfaces varies over them.
@@ -201,7 +203,7 @@ private:
   {
     std::size_t begin, end;
     std::size_t primitives = 0, points = 0; ///< their number; after join(), of those before it
-    bool hasSpheres = false, hasTransparency = false, hasVaryingOpacity = false;
+    bool hasOnlyTriangles = true, hasTransparency = false, hasVaryingOpacity = false;
     const Appearance* first = nullptr; ///< of the first surface, and those equal to it
     const Appearance* last = nullptr;
     const Appearance* replacement = nullptr; ///< of first, in the whole scene
@@ -234,7 +236,7 @@ private:
   int Shift = 0;
   std::size_t Primitives = 0;
   std::size_t Points = 0;
-  bool HasSpheres = false;
+  bool HasOnlyTriangles = true;
   bool HasTransparency = false, HasVaryingOpacity = false;
 };
 }

@@ -23,6 +23,14 @@ namespace lambent
 /// The number that means "no primitive". A scene must have fewer primitives than that.
 constexpr std::uint32_t noPrimitive = 0xFFFFFFFFu;
 
+/// What the primitives of a surface are, all of one kind.
+enum class PrimitiveKind : unsigned char
+{
+  Triangle,
+  Sphere,
+  Line ///< of a width in pixels; one of length 0 is a point
+};
+
 enum class Shading
 {
   Smooth, ///< interpolated point normals; flat if the surface has none
@@ -108,7 +116,9 @@ struct Appearance
 static_assert(offsetof(Appearance, shading) == 9 * sizeof(double), "isSameAs() compares them");
 
 /// A triangle mesh, in which triangle t has the corners 3t, 3t+1, 3t+2; or, if it has a radius,
-/// spheres, in which sphere s has its centre at point s.
+/// spheres, in which sphere s has its centre at point s; or, if it has a width, lines, in which
+/// line l has its ends at the corners 2l, 2l+1. Points on screen are lines with both ends at one
+/// point.
 struct Surface
 {
   // Geometry.
@@ -116,13 +126,15 @@ struct Surface
   IndexSpan corners;   ///< not used by spheres
   double radius = 0.0; ///< of all spheres; 0: the surface has triangles
   ScalarSpan radii;    ///< one per point, each times `radius`; or none
+  double width = 0.0;  ///< of all lines, in pixels of the image; 0: the surface has none
 
   // Attributes.
   TupleSpan pointNormals; ///< one per point, or none
+  bool isRounded = false; ///< lines are lit as tubes, and points as spheres
   /// The number of each corner's normal in pointNormals, if corners at one point have different
-  /// normals. If empty, a corner has the normal of its point.
+  /// normals. If empty, a corner has the normal of its point. Not used by lines.
   IndexSpan normalNumbers;
-  TupleSpan cellNormals; ///< one per cell, or none
+  TupleSpan cellNormals; ///< one per cell, or none; not used by lines
   /// Which edges of each triangle are edges of its cell, for lines along them: bit k is the edge
   /// from corner k to the next one. If nullptr, all are. The triangles of a cell must be
   /// consecutive, or each group of them shows lines of its own.
@@ -138,8 +150,8 @@ struct Surface
   const TextureMap* texture = nullptr;
 
   // Origin.
-  /// The cell of each triangle. If nullptr, the cell is firstCell + triangle. A sphere has the
-  /// number of its point instead.
+  /// The cell of each triangle or line. If nullptr, the cell is firstCell + primitive. A sphere has
+  /// the number of its point instead.
   const std::int64_t* cells = nullptr;
   std::int64_t firstCell = 0;
 
@@ -156,16 +168,23 @@ struct Surface
   const AttributeSpan* attribute(std::size_t index) const
   {
     const bool isThere = index < this->attributes.size() && this->attributes[index] &&
-      !(this->hasSpheres() && this->attributes[index].isPerCell);
+      !(this->kind() == PrimitiveKind::Sphere && this->attributes[index].isPerCell);
     return isThere ? &this->attributes[index] : nullptr;
   }
+  PrimitiveKind kind() const
+  {
+    return this->radius > 0.0 ? PrimitiveKind::Sphere
+      : this->width > 0.0     ? PrimitiveKind::Line
+                              : PrimitiveKind::Triangle;
+  }
+  /// Of a triangle mesh.
   std::size_t triangleCount() const { return this->corners.size / 3; }
-  bool hasSpheres() const { return this->radius > 0.0; }
+  bool hasTexture() const { return this->texture && this->kind() == PrimitiveKind::Triangle; }
   /// Whether something behind the surface may be seen through it.
   bool isTransparent() const
   {
     return this->appearance.opacity != 1.0 || (this->colors && this->colors->hasAlpha) ||
-      (this->texture && this->texture->texture.hasAlpha && !this->hasSpheres());
+      (this->hasTexture() && this->texture->texture.hasAlpha);
   }
   /// A ray meets a sphere twice. Both sides are seen if it is transparent, so it has a primitive
   /// for each: sphere s has its outside at 2 s and its inside at 2 s + 1. An opaque sphere has one.
@@ -174,27 +193,34 @@ struct Surface
   {
     return this->radii ? this->radius * this->radii[sphere] : this->radius;
   }
-  /// The number of primitives of the surface, which are all triangles or all spheres.
+  /// The number of primitives of the surface.
   std::size_t primitiveCount() const
   {
-    return this->hasSpheres() ? this->points.size * this->primitivesPerSphere()
-                              : this->triangleCount();
+    const PrimitiveKind kind = this->kind();
+    return kind == PrimitiveKind::Sphere ? this->points.size * this->primitivesPerSphere()
+                                         : this->corners.size / cornersOf(kind);
+  }
+  static std::size_t cornersOf(PrimitiveKind kind)
+  {
+    return kind == PrimitiveKind::Triangle ? 3 : kind == PrimitiveKind::Line ? 2 : 0;
   }
 
   /// Calls body(point) for points whose bounding box is that of the primitives [begin, end): the
-  /// corners of the triangles, except those whose point does not exist; or opposite corners of the
-  /// boxes around spheres.
+  /// corners of triangles and lines, except those whose point does not exist; or opposite corners
+  /// of the boxes around spheres.
   template <typename Body>
   void forBoundingPoints(std::size_t begin, std::size_t end, Body&& body) const
   {
-    for (std::size_t k = begin; this->hasSpheres() && k < end; ++k)
+    const PrimitiveKind kind = this->kind();
+    for (std::size_t k = begin; kind == PrimitiveKind::Sphere && k < end; ++k)
     {
       const std::size_t sphere = k / this->primitivesPerSphere();
       const double size = this->radiusOf(sphere);
       body(this->points[sphere] - Vec3(size));
       body(this->points[sphere] + Vec3(size));
     }
-    for (std::size_t corner = 3 * begin; !this->hasSpheres() && corner < 3 * end; ++corner)
+    const std::size_t corners = cornersOf(kind);
+    for (std::size_t corner = corners * begin; corner < corners * end; ++corner)
     {
       const std::uint64_t id = this->corners[corner];
       if (id < this->points.size)
@@ -203,11 +229,11 @@ struct Surface
       }
     }
   }
-  /// The cell of a triangle, or the number of a sphere.
+  /// The cell of a triangle or line, or the number of a sphere.
   std::int64_t cellOf(std::size_t primitive) const
   {
     const std::size_t place =
-      this->hasSpheres() ? primitive / this->primitivesPerSphere() : primitive;
+      this->kind() == PrimitiveKind::Sphere ? primitive / this->primitivesPerSphere() : primitive;
     return this->cells ? this->cells[place] : this->firstCell + static_cast<std::int64_t>(place);
   }
 };

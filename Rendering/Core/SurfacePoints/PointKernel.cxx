@@ -10,6 +10,7 @@
 #include "VectorPointBatch.h"
 #include "VectorSurfacePoints.h"
 
+#include "LineBatch.h"
 #include "PointKernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -65,8 +66,17 @@ HWY_EXPORT(ComputeSpherePoints);
 void computePoints(
   const SurfacePoints& points, const RunRange& range, SampleBatch& batch, PointBatch& result)
 {
-  range.hasSpheres ? HWY_DYNAMIC_DISPATCH(ComputeSpherePoints)(points, range, batch, result)
-                   : HWY_DYNAMIC_DISPATCH(ComputeTrianglePoints)(points, range, batch, result);
+  switch (range.kind)
+  {
+    case PrimitiveKind::Triangle:
+      HWY_DYNAMIC_DISPATCH(ComputeTrianglePoints)(points, range, batch, result);
+      break;
+    case PrimitiveKind::Sphere:
+      HWY_DYNAMIC_DISPATCH(ComputeSpherePoints)(points, range, batch, result);
+      break;
+    case PrimitiveKind::Line:
+      computeLinePoints(points, range, batch, result);
+  }
 }
 }
 #endif

@@ -17,7 +17,7 @@ void RunRange::begin(const SceneMesh::Part& first)
   this->part = &first;
   this->appearance = first.hasOneColor() ? first.appearance : nullptr;
   this->colorSource = first.colorSource();
-  this->hasSpheres = first.hasSpheres();
+  this->kind = first.kind();
   this->hasTextures = first.hasTexture();
   this->isUnlit = first.appearance->shading == Shading::Unlit;
   this->isSmooth = first.isSmooth();
@@ -33,7 +33,7 @@ bool RunRange::join(const SceneMesh::Part& next)
   RunRange other;
   other.begin(next);
   if (other.isUnlit != this->isUnlit || (!this->isUnlit && other.isSmooth != this->isSmooth) ||
-    other.colorSource != this->colorSource || other.hasSpheres != this->hasSpheres ||
+    other.colorSource != this->colorSource || other.kind != this->kind ||
     other.hasTextures != this->hasTextures || !areSame(other.specular, this->specular))
   {
     return false;

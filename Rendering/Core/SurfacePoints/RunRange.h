@@ -16,7 +16,7 @@ struct RunRange
 {
   int firstRun = 0, endRun = 0;
   int first = 0, end = 0;
-  bool hasSpheres = false; ///< all primitives are spheres; otherwise all are triangles
+  PrimitiveKind kind = PrimitiveKind::Triangle; ///< of all primitives
   bool isUnlit = false;
   bool hasTextures = false;                ///< all runs that hit something have one, or none has
   bool isSmooth = false;                   ///< normals at the corners; otherwise one of the face

@@ -87,12 +87,14 @@ void loadColors(const RunRange& range, SampleBatch& batch)
 static double alphaAt(const SceneMesh::Part& part, const ColorArray& colors,
   std::uint32_t primitive, const PointBatch& points, int place)
 {
-  const std::size_t first = 3 * (primitive - part.firstPrimitive);
+  const std::size_t corners = Surface::cornersOf(part.kind());
+  const std::size_t first = corners * (primitive - part.firstPrimitive);
   const auto weighted = [&](const auto& valueOf)
   {
-    const auto at = [&](std::size_t corner) { return valueOf(part.corners()[first + corner]); };
-    return (at(0) * points.weights[0][place] + at(1) * points.weights[1][place]) +
-      at(2) * points.weights[2][place];
+    const auto at = [&](std::size_t corner)
+    { return valueOf(part.corners()[first + corner]) * points.weights[corner][place]; };
+    const double ofTwo = at(0) + at(1);
+    return corners == 3 ? ofTwo + at(2) : ofTwo;
   };
   return part.colorSource() == ColorSource::MappedLast
     ? colors.table->alpha(weighted([&](std::size_t point) { return colors.number(point); }))

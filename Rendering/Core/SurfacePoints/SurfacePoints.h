@@ -5,12 +5,14 @@
  * @brief the surface points of a scene, whatever kind of primitive a ray hits
  *
  * Painting, light and passes ask here and do not know the kinds. Each kind has a class with a
- * definition for single hits (TrianglePoints.h, SpherePoints.h) and a twin for several hits at a
- * time (VectorTrianglePoints.h, VectorSpherePoints.h, chosen in VectorSurfacePoints.h).
+ * definition for single hits (TrianglePoints.h, SpherePoints.h, LinePoints.h). Triangles and
+ * spheres have a twin for several hits at a time (VectorTrianglePoints.h, VectorSpherePoints.h,
+ * chosen in VectorSurfacePoints.h).
  */
 #ifndef lambent_SurfacePoints_h
 #define lambent_SurfacePoints_h
 
+#include "LinePoints.h"
 #include "SpherePoints.h"
 #include "TriangleAttribute.h"
 #include "TrianglePoints.h"
@@ -23,6 +25,7 @@ public:
   SurfacePoints(const FrameMesh& mesh, bool isTwoSided)
     : Triangles(mesh, isTwoSided)
     , Spheres(mesh, isTwoSided)
+    , Lines(mesh)
   {
   }
 
@@ -30,8 +33,9 @@ public:
   SurfacePoint at(std::uint32_t primitive, double x, double y) const
   {
     const SceneMesh::Part& part = this->mesh().partOf(primitive);
-    return part.hasSpheres() ? this->Spheres.at(part, primitive, x, y)
-                             : this->Triangles.at(primitive, x, y);
+    return part.kind() == PrimitiveKind::Triangle ? this->Triangles.at(primitive, x, y)
+      : part.kind() == PrimitiveKind::Sphere      ? this->Spheres.at(part, primitive, x, y)
+                                                  : this->Lines.at(part, primitive, x, y);
   }
 
   /// A component of an attribute at a surface point with these weights: the value of the cell, or
@@ -41,8 +45,11 @@ public:
     std::uint32_t primitive, const Vec3& weights, std::size_t attribute, int component) const
   {
     const SceneMesh::Part& part = this->mesh().partOf(primitive);
-    return part.hasSpheres() ? SpherePoints::attribute(part, primitive, attribute, component)
-                             : this->Triangles.attribute(primitive, weights, attribute, component);
+    return part.kind() == PrimitiveKind::Triangle
+      ? this->Triangles.attribute(primitive, weights, attribute, component)
+      : part.kind() == PrimitiveKind::Sphere
+      ? SpherePoints::attribute(part, primitive, attribute, component)
+      : LinePoints::attribute(part, primitive, weights, attribute, component);
   }
 
   /// Calls store(valueOf), where valueOf(place, k) is component k of an attribute at a place of the
@@ -51,18 +58,23 @@ public:
   void visitAttribute(const AttributeSpan& values, const SceneMesh::Part& part,
     std::uint32_t primitive, const PointBatch& points, const Store& store) const
   {
-    part.hasSpheres() ? visitSphereAttribute(values, part, primitive, store)
-                      : visitTriangleAttribute(values, part, primitive, points, store);
+    part.kind() == PrimitiveKind::Triangle
+      ? visitTriangleAttribute(values, part, primitive, points, store)
+      : part.kind() == PrimitiveKind::Sphere
+      ? visitSphereAttribute(values, part, primitive, store)
+      : visitLineAttribute(values, part, primitive, points, store);
   }
 
   const SceneMesh& mesh() const { return this->Triangles.mesh().mesh(); }
   const Vec3& eye() const { return this->Triangles.mesh().frame().eye; }
   const TrianglePoints& triangles() const { return this->Triangles; }
   const SpherePoints& spheres() const { return this->Spheres; }
+  const LinePoints& lines() const { return this->Lines; }
 
 private:
   const TrianglePoints Triangles;
   const SpherePoints Spheres;
+  const LinePoints Lines;
 };
 }
 

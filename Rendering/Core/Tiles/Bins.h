@@ -177,7 +177,7 @@ public:
 
   /// Adds a primitive to the tiles that contain samples of its box; `nearest` as in BinEntry. If
   /// the box is exact, these may be finest tiles, where the boxes of triangles are all exact.
-  /// Otherwise they are tiles of a coarser level. Boxes of spheres count as exact.
+  /// Otherwise they are tiles of a coarser level. Boxes of spheres and lines count as exact.
   void insert(std::uint32_t primitive, const Window& samples, bool isExact, float nearest)
   {
     const TileGrid::Level level = this->Grid->levelFor(samples, isExact ? 0 : 1);
