@@ -155,27 +155,33 @@ class TestReadingKinds(CommandTest):
                               ("end.stl", make.stl_text(SQUARE))):
             self.assertEqual(self.warnings(name, content[:-1]), [])
 
-    def test_files_without_polygons_cause_a_warning(self):
-        last = ", and no polygons; Lambent draws only polygons so far"
+    def test_files_without_polygons_and_lines_cause_a_warning(self):
+        last = ", and no polygons, lines or vertices, which are what is drawn"
         for name, content, holds in (
                 ("points.obj", CORNERS, "4 points"),
-                ("lines.obj", CORNERS + "l 1 2\nl 1 3 4\nl 2 4\n", "4 points and 3 lines"),
-                ("line.obj", CORNERS + "l 1 2\np 1 2\n", "4 points and 1 line"),
                 ("point.ply", make.ply_text(([(0, 0, 0)], [])), "1 point"),
                 ("thin.ply", make.ply_text((SQUARE[0], [(0, 1), ()])),
                  "4 points and 2 cells of fewer than 3 points"),
                 ("grid.vtk", make.vtk_grid(SQUARE[0], [], 3), "4 points"),
-                ("lines.vtu", make.vtu(SQUARE[0], [(0, 1), (2, 3)], 3), "4 points and 2 lines"),
-                ("grid.vtu", make.vtu(SQUARE[0], [], 3), "4 points"),
-                ("both.vtk", make.vtk_text((SQUARE[0], [(0, 1)])) + "LINES 1 3\n2 0 2\n",
-                 "4 points, 1 line and 1 cell of fewer than 3 points"),
-                ("lines.vtk", make.vtk_text((SQUARE[0], [(0, 1), (2, 3)])).replace(
-                    "POLYGONS", "LINES"), "4 points and 2 lines")):
+                ("grid.vtu", make.vtu(SQUARE[0], [], 3), "4 points")):
             lines = self.warnings(name, content, "--background", "1,0,0")
             self.assertEqual(lines[:1],
                              ["lambent: warning: '%s': it holds %s" % (name, holds) + last])
             rows = make.read_pnm(self.read("picture.pnm"))
             self.assertEqual(rows, [[(255, 0, 0)] * 9] * 9)
+
+    def test_lines_are_drawn(self):
+        for name, content in (
+                ("lines.obj", CORNERS + "l 1 2\nl 1 3 4\nl 2 4\n"),
+                ("line.obj", CORNERS + "l 1 2\np 1 2\n"),
+                ("lines.vtu", make.vtu(SQUARE[0], [(0, 1), (2, 3)], 3)),
+                ("both.vtk", make.vtk_text((SQUARE[0], [(0, 1)])) + "LINES 1 3\n2 0 2\n"),
+                ("lines.vtk", make.vtk_text((SQUARE[0], [(0, 1), (2, 3)])).replace(
+                    "POLYGONS", "LINES"))):
+            with self.subTest(name):
+                self.assertEqual(self.warnings(name, content, "--background", "1,0,0"), [])
+                rows = make.read_pnm(self.read("picture.pnm"))
+                self.assertNotEqual(rows, [[(255, 0, 0)] * 9] * 9)
 
     def test_triangles_are_counted(self):
         for name, content, count in (

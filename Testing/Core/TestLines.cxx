@@ -181,12 +181,15 @@ TEST(Lines, BoundsHoldAllHits)
       {
         rejected += isMissed;
         rows += x < inRow.low || x > inRow.high;
+        ASSERT_TRUE(!(std::fabs(bounds.slope()) < 1e3) ||
+          std::fabs(bounds.inRow(y + half).low - inRow.low - half * bounds.slope()) < 1e-6)
+          << k;
         continue;
       }
       ++hits;
       ASSERT_TRUE(bounds.x().low <= x && x <= bounds.x().high) << k;
       ASSERT_TRUE(bounds.y().low <= y && y <= bounds.y().high) << k;
-      ASSERT_TRUE(inRow.low <= x && x <= inRow.high) << k;
+      ASSERT_FALSE(x < inRow.low || inRow.high < x) << k; // there may be none
       ASSERT_FALSE(isMissed) << k;
       ASSERT_LE(bounds.nearest(), hit.depth) << k;
     }

@@ -43,13 +43,12 @@ vtkIdType CountTriangles(vtkPolyData* mesh)
 
 void CheckPolygons(vtkPolyData* mesh, vtkDataObject* data)
 {
-  if (CountTriangles(mesh) > 0)
+  if (CountTriangles(mesh) > 0 || mesh->GetNumberOfLines() + mesh->GetNumberOfVerts() > 0)
   {
     return;
   }
   std::vector<std::string> list;
   List(list, data->GetNumberOfElements(vtkDataObject::POINT), "point");
-  List(list, mesh->GetNumberOfLines(), "line");
   List(
     list, mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips(), "cell", " of fewer than 3 points");
   std::string what = list.empty() ? "no points" : list.front();
@@ -58,7 +57,7 @@ void CheckPolygons(vtkPolyData* mesh, vtkDataObject* data)
     what += (i + 1 < list.size() ? ", " : " and ") + list[i];
   }
   vtkGenericWarningMacro(<< "it holds " << what
-                         << ", and no polygons; Lambent draws only polygons so far");
+                         << ", and no polygons, lines or vertices, which are what is drawn");
 }
 
 } // namespace lambent::command

@@ -21,16 +21,24 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-/// The columns of a box that lie in an interval of the image plane, and perhaps one more on each
-/// side.
+/// The columns of a box, row by row, that a line may cover, and perhaps one more on each side.
 class Columns
 {
 public:
-  Columns(const TileSamples& samples, double pixel, const Window& box)
-    : First(samples.xs()[0])
-    , PerPixel(1.0 / pixel)
-    , Box(box)
+  Columns(const LineBounds& bounds, const TileSamples& samples, double pixel, const Window& box)
+    : Box(box)
+    , PerRow(bounds.slope())
   {
+    const double first = samples.xs()[0], perPixel = 1.0 / pixel;
+    const double* const ys = samples.ys();
+    const Interval x = bounds.inRow(ys[box.j0]);
+    this->Low = (x.low - first) * perPixel - 1.0;
+    this->High = (x.high - first) * perPixel + 2.0;
+    const double across = std::fabs(x.low) + std::fabs(x.high) + std::fabs(first);
+    const double up = std::fabs(ys[box.j0]) + std::fabs(ys[box.j1 - 1]);
+    // Below it, rounding moves nothing by as much as a column.
+    constexpr double largest = 1e12;
+    this->AreBounded = (across + up * std::fabs(this->PerRow)) * perPixel < largest;
   }
 
   struct Range
@@ -38,25 +46,23 @@ public:
     int begin, end;
   };
 
-  /// All columns where positions could be off by one.
-  Range in(const Interval& x) const
+  Range in(int row) const
   {
-    constexpr double largest = 1e12;
-    const double low = (x.low - this->First) * this->PerPixel - 1.0;
-    const double high = (x.high - this->First) * this->PerPixel + 2.0;
-    const double size = std::max(std::fabs(x.low), std::fabs(x.high)) + std::fabs(this->First);
-    if (!(size * this->PerPixel < largest))
+    if (!this->AreBounded)
     {
       return { this->Box.i0, this->Box.i1 };
     }
-    return { low > this->Box.i0 ? static_cast<int>(std::min<double>(low, this->Box.i1))
-                                : this->Box.i0,
-      high < this->Box.i1 ? static_cast<int>(std::max<double>(high, this->Box.i0)) : this->Box.i1 };
+    const double moved = this->PerRow * (row - this->Box.j0);
+    const double begin = std::max<double>(this->Low + moved, this->Box.i0);
+    const double end = std::min<double>(this->High + moved, this->Box.i1);
+    return { static_cast<int>(std::min<double>(begin, this->Box.i1)),
+      static_cast<int>(std::max<double>(end, this->Box.i0)) };
   }
 
 private:
-  double First, PerPixel;
   const Window& Box;
+  double PerRow, Low, High; ///< in columns
+  bool AreBounded;
 };
 
 /// intersectLine() for the rays through (x, y), one per lane.
@@ -102,12 +108,10 @@ HWY_INLINE void append(
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, hit, bits);
   hn::Store(depth, d, depths);
-  for (std::size_t lane = 0; lane < lanes; ++lane)
+  for (std::uint32_t left = bits[0]; left != 0; left &= left - 1)
   {
-    if (bits[0] >> lane & 1)
-    {
-      hits.push_back({ static_cast<std::uint32_t>(sample + lane), number, depths[lane] });
-    }
+    const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+    hits.push_back({ static_cast<std::uint32_t>(sample + lane), number, depths[lane] });
   }
 }
 
@@ -121,10 +125,10 @@ void findHits(const CameraFrame& frame, const TileSamples& samples, const Line& 
   {
     return;
   }
-  const Columns columns(samples, frame.pixel, box);
+  const Columns columns(bounds, samples, frame.pixel, box);
   for (int j = box.j0; j < box.j1; ++j)
   {
-    const Columns::Range range = columns.in(bounds.inRow(ys[j]));
+    const Columns::Range range = columns.in(j);
     for (int i = range.begin; i < range.end; i += static_cast<int>(lanes))
     {
       const M inside = hn::FirstN(d, static_cast<std::size_t>(range.end - i));

@@ -43,16 +43,18 @@ public:
   Interval x() const { return this->onPlane(this->Ends.x, this->Columns); }
   Interval y() const { return this->onPlane(this->Ends.y, this->Rows); }
 
-  /// The bounds along the row y of the image plane. With NaN, those of all rows.
+  /// The bounds along the row y of the image plane, without those of x(). Infinite or NaN if they
+  /// are none.
   Interval inRow(double y) const
   {
     const double middle = (y - this->Ends.y) * this->Ends.perHalf * this->Ends.dx;
     const double one = (middle - this->Reach) * this->PerRow;
     const double other = (middle + this->Reach) * this->PerRow;
-    return this->onPlane(this->Ends.x,
-      { std::max(this->Columns.low, std::min(one, other) - this->Slack),
-        std::min(this->Columns.high, std::max(one, other) + this->Slack) });
+    return this->onPlane(
+      this->Ends.x, { std::min(one, other) - this->Slack, std::max(one, other) + this->Slack });
   }
+  /// How far they move along x from row to row, for each unit of y.
+  double slope() const { return this->Ends.dx * this->PerRow; }
 
   /// Whether no ray through the rectangle can hit.
   bool misses(const Interval& x, const Interval& y) const
