@@ -88,8 +88,9 @@ ColorsFromVTK::ColorsFromVTK(vtkPolyData* input, const InputColors& settings, Sp
 void ColorsFromVTK::findAlpha()
 {
   const AttributeSpan& values = this->Result.values;
+  const std::vector<unsigned char>& entries = this->Plain ? this->Plain->entries() : this->Entries;
   this->Result.hasAlpha = this->Result.table
-    ? isAnyTransparent(this->Entries.data(), this->Entries.size() / 4, 4)
+    ? isAnyTransparent(entries.data(), entries.size() / 4, 4)
     : values.data &&
       isAnyTransparent(static_cast<const unsigned char*>(values.data),
         static_cast<std::size_t>(this->Array->GetNumberOfTuples()), values.components);

@@ -24,9 +24,11 @@ public:
   LookupTableFromVTK(const LookupTableFromVTK&) = delete;
 
   const ColorTable& table() const { return this->Table; }
+  /// Four bytes each: the entries, then the colours of NaN, below and above the range.
+  const std::vector<unsigned char>& entries() const { return this->Entries; }
 
 private:
-  std::vector<unsigned char> Entries; ///< and the colours of NaN, below and above the range
+  std::vector<unsigned char> Entries;
   ColorTable Table;
 };
 }

@@ -58,7 +58,7 @@ struct LitPoint
     this->point.position = random.inBox(2.0);
     this->point.normal = random.inBox(1.0) * random.within(0.1, 10.0);
     this->style = { 0.75, random.inBox(0.5) + Vec3(0.5), random.within(0.0, 40.0) };
-    this->point.color = { false, Vec3(0.25), Vec3(0.125), &this->style };
+    this->point.color = { false, Vec3(0.25), Vec3(0.125), 1.0, &this->style };
   }
 
   /// The brightness of a light's highlight, without colours.

@@ -64,7 +64,7 @@ void BodySurface::setTexture(const StageTexture& texture)
   result.wrap = texture.wrap;
   result.isInterpolated = texture.isInterpolated;
   result.isSRGB = texture.isSRGB;
-  result.border.color = texture.border;
+  result.border = { texture.border, 1.0 };
   for (int row = 0; row < 2; ++row)
   {
     std::copy_n(texture.matrix[row], 3, result.matrix[row]);

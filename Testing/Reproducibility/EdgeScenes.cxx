@@ -99,7 +99,7 @@ SceneList edgeScenes()
           body.cellArray("Shade", 4, AttributeType::UInt8);
           body.pointArray("Paint", 3, AttributeType::UInt8);
         }
-        s.bodies[0].colorBy("Shade", true);
+        s.bodies[0].colorBy("Shade", true).hasAlpha = true;
         s.bodies[1].colorBy("Paint", false);
       } },
     { "edges-ghosts-mirrored",

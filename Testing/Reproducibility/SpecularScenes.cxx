@@ -80,7 +80,7 @@ SceneList specularScenes()
           body.cellArray("Shade", 4, AttributeType::UInt8);
         }
         s.bodies[0].colorBy("Paint", false);
-        s.bodies[1].colorBy("Shade", true);
+        s.bodies[1].colorBy("Shade", true).hasAlpha = true;
       } },
     { "specular-one-sided-scene-ambient",
       [](Stage& s)
