@@ -25,7 +25,7 @@ class TestMemory(CommandTest):
 
     def least(self):
         """The address space that the command needs to start."""
-        for megabytes in range(32, 2048, 32):
+        for megabytes in range(32, 2048, 8):
             done = self.run_command("--version", preexec_fn=limited(megabytes))
             if done.returncode == 0:
                 return megabytes
@@ -41,7 +41,7 @@ class TestMemory(CommandTest):
         least = self.least()
         self.write("x.png", "old")
         statuses = set()
-        for more in (32, 64, 96, 128, 160, 192, 256, 384):
+        for more in (8, 32, 64, 96, 128, 160, 192, 256, 384):
             done = self.run_command("mesh.obj", "-o", "x.png", "--threads", "1", "--size",
                                     "4000x4000", preexec_fn=limited(least + more))
             statuses.add(done.returncode)

@@ -19,8 +19,9 @@
 class RandomTextures
 {
 public:
-  RandomTextures(lambent::Scene& scene, unsigned int seed)
+  RandomTextures(lambent::Scene& scene, unsigned int seed, bool hasAlpha = false)
     : Random(seed)
+    , HasAlpha(hasAlpha)
   {
     for (lambent::Surface& surface : scene.surfaces)
     {
@@ -46,6 +47,7 @@ private:
   {
     auto data = std::make_unique<Data>();
     lambent::Texture& texture = data->map.texture;
+    texture.hasAlpha = this->HasAlpha;
     texture.width = 1 + this->Random.below(9);
     texture.height = 1 + this->Random.below(9);
     const int components = 1 + this->Random.below(4);
@@ -96,6 +98,7 @@ private:
   }
 
   RandomNumbers Random;
+  bool HasAlpha;
   std::vector<std::unique_ptr<Data>> All;
 };
 

@@ -9,6 +9,7 @@
 #include "RandomColors.h"
 #include "RandomNumbers.h"
 #include "RandomSpheres.h"
+#include "RandomTextures.h"
 #include "SurfacePoints.h"
 #include "ThreadedParallel.h"
 
@@ -52,6 +53,7 @@ struct Subject
   RandomScene random;
   RandomAttributes attributes;
   RandomColors colors;
+  RandomTextures textures;
   RandomOpacities opacities;
   FilmRequest request;
 
@@ -59,6 +61,7 @@ struct Subject
     : random(std::move(scene))
     , attributes(random, seed)
     , colors(random.scene, seed)
+    , textures(random.scene, seed, seed % 5 < 2)
     , opacities(random.scene, seed)
   {
     this->request.samples = samples;
@@ -242,7 +245,9 @@ TEST(Transparency, CompositesAllHitsOfEachRay)
       {
         const SurfacePoint point = points.at(primitive, x, y);
         const double opacity = point.opacity();
-        color = left > 0.0 && opacity > 0.0 ? color + light.color(point) * (left * opacity) : color;
+        color = left > 0.0 && opacity > 0.0
+          ? color + light.color(point) * point.texture.color * (left * opacity)
+          : color;
         left *= 1.0 - opacity;
       }
       deep += hits.size() > 2 && left > 0.0 ? 1 : 0;

@@ -170,10 +170,10 @@ TEST(BlockAttributes, PropertiesAreNamedByTheirInput)
   Row row;
   const Messages messages(row.studio.tracer);
   vtkNew<vtkProperty> property;
-  property->VertexVisibilityOn();
+  property->SetInterpolationToPBR();
   row.studio.tracer->SetInputProperty(0, property);
   render(row.studio.tracer);
-  expectMessage(messages.warnings(), { "Input 0: vtkProperty::VertexVisibilityOn()" });
+  expectMessage(messages.warnings(), { "Input 0: vtkProperty::SetInterpolationToPBR()" });
 }
 
 TEST(BlockAttributes, ColoursThatAreNotFiniteAreAnError)

@@ -80,7 +80,7 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   Studio studio;
   Messages messages(studio.tracer);
   vtkNew<vtkProperty> shared, other;
-  shared->EdgeVisibilityOn();
+  shared->SetInterpolationToPBR();
   for (int k = 0; k < 5; ++k)
   {
     studio.tracer->AddInputDataObject(makeSquare());
@@ -88,19 +88,19 @@ TEST(IdleSettings, SharedPropertyIsNamedOnce)
   }
   studio.tracer->SetInputProperty(0, other);
   studio.tracer->Update();
-  expectMessage(messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "EdgeVisibilityOn()" });
+  expectMessage(
+    messages.warnings(), { "Input 1 and 2 more: vtkProperty::", "SetInterpolationToPBR()" });
 
   messages.clear();
-  other->SetInterpolationToPBR();
+  vtkNew<vtkTexture> texture;
+  other->SetTexture("paint", texture);
   studio.tracer->Update();
-  expectMessage(
-    messages.warnings(), { "Input 0 and 1 more: vtkProperty::", "SetInterpolationToPBR()" });
+  expectMessage(messages.warnings(), { "Input 0 and 1 more: vtkProperty::", "SetTexture()" });
 
   messages.clear();
   studio.tracer->SetProperty(other);
   studio.tracer->Update(); // the same property, so one message
-  expectMessage(
-    messages.warnings(), { "The property of all inputs: vtkProperty::SetInterpolationToPBR()" });
+  expectMessage(messages.warnings(), { "The property of all inputs: vtkProperty::SetTexture()" });
 }
 
 // A common property that no input uses causes no warning.

@@ -6,6 +6,7 @@
 #include "Blocks.h"
 #include "ColoredGrid.h"
 #include "ExpectedErrors.h"
+#include "TexturedQuad.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
@@ -173,6 +174,21 @@ TEST(Transparency, OfTablesIsUsed)
   heat->FillValue(0.1);
   heat->Modified();
   EXPECT_EQ(sheets.color(), Vec(0.0, 0.0, 1.0)); // alpha 0
+}
+
+TEST(Transparency, OfTexturesMultipliesTheProperty)
+{
+  TexturedQuad scene(2, 1);
+  const auto image = makeImage(2, 1, 4);
+  auto* const pixels = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+  pixels->SetTuple4(0, 255.0, 0.0, 0.0, 51.0); // alpha 0.2
+  pixels->SetTuple4(1, 0.0, 255.0, 0.0, 0.0);
+  scene.texture->SetInputData(image);
+  scene.tracer->SetBackground(0.0, 0.0, 1.0);
+  scene.property->SetOpacity(0.5);
+  const Picture picture = render(scene.tracer);
+  EXPECT_EQ(picture.at(0, 0), Vec(26.0, 0.0, 230.0)); // 0.1 of red
+  EXPECT_EQ(picture.at(1, 0), Vec(0.0, 0.0, 255.0));
 }
 
 TEST(Transparency, OfBlocksReplacesTheProperty)

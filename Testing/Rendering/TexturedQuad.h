@@ -67,7 +67,8 @@ struct TexturedQuad
   }
 };
 
-/// An image of random numbers: of the whole range of integers, or from 0 to 1.
+/// An image of random numbers: of the whole range of integers, or from 0 to 1. Alpha is the
+/// largest.
 inline vtkSmartPointer<vtkImageData> makeImage(
   int width, int height, int components, int type = VTK_UNSIGNED_CHAR)
 {
@@ -82,7 +83,8 @@ inline vtkSmartPointer<vtkImageData> makeImage(
     for (int c = 0; c < components; ++c)
     {
       state = state * 1664525u + 1013904223u;
-      pixels->SetComponent(k, c, largest * (state >> 16) / 65535.0);
+      const bool isAlpha = components % 2 == 0 && c == components - 1; // opaque
+      pixels->SetComponent(k, c, isAlpha ? largest : largest * (state >> 16) / 65535.0);
     }
   }
   return image;

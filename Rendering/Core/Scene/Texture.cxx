@@ -174,10 +174,6 @@ TextureColor Texture::sample(double u, double v) const
 
 bool Texture::isAnyTransparent() const
 {
-  if (this->wrap == TextureWrap::ClampToBorder && this->border.alpha != 1.0)
-  {
-    return true;
-  }
   const auto components = static_cast<std::size_t>(this->pixels.components);
   const auto count = static_cast<std::size_t>(this->width) * static_cast<std::size_t>(this->height);
   const double opaque = this->pixels.type == AttributeType::UInt8 ? 255.0

@@ -61,7 +61,8 @@ struct Texture
   /// The colour at texture coordinates.
   TextureColor sample(double u, double v) const;
 
-  /// Whether some pixel, or a border that is seen, has an alpha other than 1.
+  /// Whether some pixel has an alpha other than 1. As in VTK, that of the border alone does not
+  /// make a texture transparent.
   bool isAnyTransparent() const;
 };
 
