@@ -144,17 +144,27 @@ void LayerPainting::flush(const TileSamples& samples, LayerMemory& memory) const
     {
       channels[channel] = memory.colors.at(channel, piece.i, piece.j);
     }
-    for (int i = 0; i < piece.width; ++i)
+    const int first = k * SampleBatch::pieceSize;
+    for (int begin = 0, next = 0; begin < piece.width; begin = next)
     {
-      const int place = k * SampleBatch::pieceSize + i;
-      const double opacity = batch.isHit(place) ? opacityAt(batch, memory.points, place) : 0.0;
-      if (opacity > 0.0)
+      next = batch.endOfRun(first + begin, first + piece.width) - first;
+      const std::int64_t run = batch.run[first + begin];
+      const std::uint32_t primitive = batch.primitives[run];
+      if (primitive == noPrimitive)
       {
-        seen[i] = seen[i] == noPrimitive ? batch.primitives[batch.run[place]] : seen[i];
+        continue;
+      }
+      const bool isConstant = hasConstantOpacity(*batch.parts[run]);
+      double opacity = opacityAt(batch, memory.points, first + begin);
+      for (int i = begin; i < next; ++i)
+      {
+        opacity = isConstant ? opacity : opacityAt(batch, memory.points, first + i);
+        // Where it is 0, nothing changes.
+        seen[i] = seen[i] == noPrimitive && opacity > 0.0 ? primitive : seen[i];
         const double weight = channels[3][i] * opacity;
-        for (int channel = 0; channel < 3; ++channel)
+        for (int channel = 0; channel < 3 && opacity > 0.0; ++channel)
         {
-          channels[channel][i] += batch.colors[channel][place] * weight;
+          channels[channel][i] += batch.colors[channel][first + i] * weight;
         }
         channels[3][i] = channels[3][i] * (1.0 - opacity);
       }

@@ -206,12 +206,18 @@ void Casting<Policy>::flush(TileHits<Policy>& tile, CastingMemory& memory) const
 template <typename Policy>
 void Casting<Policy>::addHits(const Fragment* hits, int count, TileHits<Policy>& tile) const
 {
+  const auto offer = [&](const Fragment& hit)
+  { tile.hits.offer(hit.sample, hit.primitive, hit.nearness, depthIn(this->Mesh, tile.samples)); };
+  if (!this->IsMixed)
+  {
+    std::for_each(hits, hits + count, offer);
+    return;
+  }
   for (int k = 0; k < count; ++k)
   {
     if (this->takes(hits[k].primitive))
     {
-      tile.hits.offer(
-        hits[k].sample, hits[k].primitive, hits[k].nearness, depthIn(this->Mesh, tile.samples));
+      offer(hits[k]);
     }
   }
 }

@@ -9,7 +9,7 @@ namespace lambent
 {
 namespace
 {
-/// Compares hits of one sample.
+/// Sorts the hits of one sample.
 class Order
 {
 public:
@@ -19,24 +19,36 @@ public:
   {
   }
 
-  bool isBefore(Layer& a, Layer& b) const
+  /// Sorts by the ends of the ranges first. Then groups whose ranges overlap are sorted by depth.
+  void sort(Layer* begin, Layer* end) const
   {
-    if (a.low > b.high || b.low > a.high)
+    constexpr std::ptrdiff_t few = 16;
+    const auto isNearer = [](const Layer& a, const Layer& b) { return a.low > b.low; };
+    end - begin > few ? std::sort(begin, end, isNearer) : insert(begin, end, isNearer);
+    for (Layer *group = begin, *next = begin; group < end; group = next)
     {
-      return a.low > b.high;
+      float low = group->low;
+      for (++next; next < end && !(next->high < low); ++next)
+      {
+        low = next->low;
+      }
+      if (next - group > 1)
+      {
+        this->sortByDepth(group, next);
+      }
     }
-    const double depthA = this->depthOf(a), depthB = this->depthOf(b);
-    return depthA < depthB || (depthA == depthB && a.primitive < b.primitive);
   }
 
+private:
   /// Sorts by insertion, which is the fastest for the few hits that samples have as a rule.
-  void insert(Layer* begin, Layer* end) const
+  template <typename IsBefore>
+  static void insert(Layer* begin, Layer* end, const IsBefore& isBefore)
   {
     for (Layer* next = begin + 1; next < end; ++next)
     {
-      Layer layer = *next;
+      const Layer layer = *next;
       Layer* place = next;
-      for (; place > begin && this->isBefore(layer, place[-1]); --place)
+      for (; place > begin && isBefore(layer, place[-1]); --place)
       {
         *place = place[-1];
       }
@@ -44,23 +56,18 @@ public:
     }
   }
 
-  /// For many hits, computes all depths first.
-  void sortMany(Layer* begin, Layer* end) const
+  void sortByDepth(Layer* begin, Layer* end) const
   {
-    std::for_each(begin, end, [this](Layer& layer) { this->depthOf(layer); });
+    for (Layer* layer = begin; layer < end; ++layer)
+    {
+      if (std::isnan(layer->depth))
+      {
+        layer->depth = depthIn(this->Mesh, this->Samples)(layer->primitive, layer->sample);
+      }
+    }
     std::sort(begin, end,
       [](const Layer& a, const Layer& b)
       { return a.depth < b.depth || (a.depth == b.depth && a.primitive < b.primitive); });
-  }
-
-private:
-  double depthOf(Layer& layer) const
-  {
-    if (std::isnan(layer.depth))
-    {
-      layer.depth = depthIn(this->Mesh, this->Samples)(layer.primitive, layer.sample);
-    }
-    return layer.depth;
   }
 
   const FrameMesh& Mesh;
@@ -169,11 +176,11 @@ void SortedLayers::countOf(const TileHits<Nearest>& opaque, const Layers& layers
 void SortedLayers::sort(
   const FrameMesh& mesh, const TileHits<Nearest>& opaque, const Layers& layers)
 {
-  constexpr std::uint32_t few = 24;
   const std::size_t samples = opaque.samples.size();
   const Nearest& nearest = opaque.hits;
   this->countOf(opaque, layers);
   this->Sorted.resize(this->Firsts[samples]);
+  this->Primitives.resize(this->Firsts[samples]);
   for (std::size_t sample = 0; sample < samples; ++sample)
   {
     if (nearest.primitives()[sample] != noPrimitive)
@@ -195,16 +202,17 @@ void SortedLayers::sort(
   for (std::size_t sample = 0; sample < samples; ++sample)
   {
     Layer* const begin = this->Sorted.data() + this->Firsts[sample];
-    const std::uint32_t count = this->Firsts[sample + 1] - this->Firsts[sample];
-    if (count > few)
+    std::uint32_t count = this->Firsts[sample + 1] - this->Firsts[sample];
+    if (count > 1)
     {
-      order.sortMany(begin, begin + count);
+      order.sort(begin, begin + count);
+      count = repeats.removeFrom(begin, count);
     }
-    else if (count > 1)
+    this->Counts[sample] = count;
+    for (std::uint32_t k = 0; k < count; ++k)
     {
-      order.insert(begin, begin + count);
+      this->Primitives[this->Firsts[sample] + k] = begin[k].primitive;
     }
-    this->Counts[sample] = count > 1 ? repeats.removeFrom(begin, count) : count;
   }
 }
 }

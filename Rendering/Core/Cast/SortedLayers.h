@@ -39,16 +39,17 @@ public:
   /// The primitive of hit k of a sample.
   std::uint32_t primitive(std::size_t sample, std::uint32_t k) const
   {
-    return this->Sorted[this->Firsts[sample] + k].primitive;
+    return this->Primitives[this->Firsts[sample] + k];
   }
 
 private:
   void countOf(const TileHits<Nearest>& opaque, const Layers& layers);
   void place(const Layer& layer) { this->Sorted[this->Firsts[layer.sample]++] = layer; }
 
-  std::vector<std::uint32_t> Firsts; ///< of each sample, and the end
-  std::vector<std::uint32_t> Counts; ///< of each sample, without repeated hits
-  std::vector<Layer> Sorted;
+  std::vector<std::uint32_t> Firsts;     ///< of each sample, and the end
+  std::vector<std::uint32_t> Counts;     ///< of each sample, without repeated hits
+  std::vector<Layer> Sorted;             ///< by sample, then by depth
+  std::vector<std::uint32_t> Primitives; ///< of Sorted, without repeated hits
 };
 }
 

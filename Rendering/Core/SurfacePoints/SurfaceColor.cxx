@@ -101,6 +101,11 @@ static double alphaAt(const SceneMesh::Part& part, const ColorArray& colors,
     : weighted([&](std::size_t point) { return colors.alpha(point); });
 }
 
+bool hasConstantOpacity(const SceneMesh::Part& part)
+{
+  return !part.hasTexture() && (part.hasOneColor() || part.colorSource() == ColorSource::Primitive);
+}
+
 double opacityAt(const SampleBatch& batch, const PointBatch& points, int place)
 {
   const std::int64_t run = batch.run[place];

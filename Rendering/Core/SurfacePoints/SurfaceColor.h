@@ -12,7 +12,7 @@
 #ifndef lambent_SurfaceColor_h
 #define lambent_SurfaceColor_h
 
-#include "Surface.h"
+#include "SceneMesh.h"
 
 namespace lambent
 {
@@ -47,6 +47,9 @@ void loadColors(const RunRange& range, SampleBatch& batch);
 /// parts of the batch's runs must be filled in, and, where colours of points have alpha, the
 /// weights of its surface points.
 double opacityAt(const SampleBatch& batch, const PointBatch& points, int place);
+
+/// Whether opacityAt() is the same all over each primitive of a part.
+bool hasConstantOpacity(const SceneMesh::Part& part);
 
 /// An opacity, clamped to 0 to 1. NaN gives 0.
 inline double clampedOpacity(double opacity)
