@@ -85,6 +85,12 @@ std::map<std::string, double> comparePictures(
     peers.embree().traceLayers(TreeQuality::Medium);
     compare("layers/embree/packets", peers.embree().picture());
   }
+  if (compared.balls)
+  {
+    renderOurs(1);
+    peers.balls().trace(TreeQuality::Medium);
+    compare("balls/embree", peers.balls().picture());
+  }
   if (compared.openGL)
   {
     renderOurs(1);

@@ -17,6 +17,7 @@ struct Compared
 {
   std::vector<int> embree; ///< the supersampling of each of Embree's pictures
   bool layers = false;     ///< with transparent surfaces, by Embree
+  bool balls = false;
   bool openGL = false;
 };
 

@@ -84,6 +84,7 @@ Compared comparedBy(const std::vector<Contest>& contests)
       compared.embree.push_back(samples);
     }
   }
+  compared.balls = anyHas(contests, "balls/trace");
   compared.layers = anyHas(contests, "layers/embree");
   compared.openGL = anyHas(contests, "opengl/");
   return compared;

@@ -4,6 +4,10 @@
 
 #include "Meshes.h"
 
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -189,6 +193,41 @@ vtkSmartPointer<vtkPolyData> makeLate()
   addCloud(mesh, random, 2000000, 1.0, 0.00001);
   addCloud(mesh, random, 2000, 1.0, 0.5);
   return mesh.toPolyData();
+}
+
+vtkSmartPointer<vtkPolyData> makeBalls()
+{
+  Random random;
+  vtkNew<vtkPoints> points;
+  for (int k = 0; k < 1000000; ++k)
+  {
+    const double x = random(-1, 1), y = random(-1, 1), z = random(-1, 1);
+    points->InsertNextPoint(x, y, z);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> makeLines()
+{
+  constexpr double length = 0.1;
+  Random random;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (vtkIdType k = 0; k < 100000; ++k)
+  {
+    const double x = random(-1, 1), y = random(-1, 1), z = random(-1, 1);
+    const Triple end = moved({ x, y, z }, random.direction(), length);
+    points->InsertNextPoint(x, y, z);
+    points->InsertNextPoint(end.data());
+    const vtkIdType ids[2] = { 2 * k, 2 * k + 1 };
+    lines->InsertNextCell(2, ids);
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetLines(lines);
+  return result;
 }
 
 vtkSmartPointer<vtkPolyData> makeBox()

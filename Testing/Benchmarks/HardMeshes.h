@@ -36,6 +36,12 @@ vtkSmartPointer<vtkPolyData> makeFacets();
 /// 3,000 spheres of 384 triangles in a cube.
 vtkSmartPointer<vtkPolyData> makeSpheres();
 
+/// A million points in a cube, the centres of spheres.
+vtkSmartPointer<vtkPolyData> makeBalls();
+
+/// 100,000 lines of about 30 pixels in a cube.
+vtkSmartPointer<vtkPolyData> makeLines();
+
 /// Twelve triangles.
 vtkSmartPointer<vtkPolyData> makeBox();
 

@@ -4,17 +4,68 @@
 
 #include "Stopwatch.h"
 
+#include "vtkDataObject.h"
+#include "vtkFloatArray.h"
 #include "vtkLambentNormals.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkTriangleMeshPointNormals.h"
 
 LambentRenderer::LambentRenderer(const BenchmarkScene& scene)
 {
-  this->Filter->SetInputData(scene.mesh);
+  vtkNew<vtkPolyData> mesh; // with arrays of its own
+  mesh->ShallowCopy(scene.mesh);
+  this->addArrays(mesh);
+  this->Filter->SetInputData(mesh);
+  this->Filter->SetInputSphereRadius(0, scene.ballRadius);
   this->Filter->SetImageSize(scene.width, scene.height);
   this->Filter->SetCamera(scene.camera);
   this->Filter->AddLight(scene.light);
   this->Filter->SetProperty(this->Property);
+}
+
+/// Adds numbers and texture coordinates that vary across the mesh.
+void LambentRenderer::addArrays(vtkPolyData* mesh)
+{
+  vtkNew<vtkFloatArray> heights, coordinates;
+  heights->SetName("Height");
+  coordinates->SetNumberOfComponents(2);
+  const double size = mesh->GetLength();
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+  {
+    const double* const p = mesh->GetPoint(k);
+    heights->InsertNextValue(static_cast<float>(p[1]));
+    coordinates->InsertNextTuple2(4.0 * p[0] / size, 4.0 * p[1] / size);
+  }
+  mesh->GetPointData()->AddArray(heights);
+  mesh->GetPointData()->SetTCoords(coordinates);
+}
+
+double LambentRenderer::renderLook(Look look)
+{
+  constexpr int side = 1024;
+  if (!this->Texture->GetInput())
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(side, side, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (int k = 0; k < 3 * side * side; ++k)
+    {
+      *bytes++ = static_cast<unsigned char>(k * 37 % 251);
+    }
+    this->Texture->SetInputData(image);
+    this->Texture->InterpolateOn();
+  }
+  this->Filter->SetInputScalarVisibility(0, look == Look::Colors);
+  this->Filter->SetInputColorArray(0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Height");
+  this->Filter->SetInputTexture(0, look == Look::Texture ? this->Texture.Get() : nullptr);
+  this->Property->SetEdgeVisibility(look == Look::Edges);
+  const double seconds = this->render();
+  this->Filter->SetInputScalarVisibility(0, false);
+  this->Filter->SetInputTexture(0, nullptr);
+  this->Property->EdgeVisibilityOff();
+  return seconds;
 }
 
 double LambentRenderer::renderLayers()

@@ -12,6 +12,15 @@
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkProperty.h"
+#include "vtkTexture.h"
+
+/// What is drawn on the surface.
+enum class Look
+{
+  Colors,  ///< a point array through a table
+  Texture, ///< an image of 1024 x 1024 pixels, interpolated
+  Edges    ///< the edges of all triangles
+};
 
 class LambentRenderer
 {
@@ -22,14 +31,20 @@ public:
   /// samples x samples samples per pixel. The filter is modified before, so it must render.
   double render(int samples = 1);
 
+  /// The same with another look.
+  double renderLook(Look look);
+
   /// The same with transparent surfaces.
   double renderLayers();
 
   vtkImageData* picture() { return this->Filter->GetOutput(); }
 
 private:
+  void addArrays(vtkPolyData* mesh);
+
   vtkNew<vtkLambentRayTracer> Filter;
   vtkNew<vtkProperty> Property;
+  vtkNew<vtkTexture> Texture;
 };
 
 enum class NormalsFilter

@@ -65,6 +65,11 @@ OpenGLRenderer& Peers::opengl()
   return madeOnce(this->OpenGL, this->Scene);
 }
 
+EmbreeBalls& Peers::balls()
+{
+  return madeOnce(this->Balls, this->Scene);
+}
+
 ManySurfaces& Peers::surfaces()
 {
   return madeOnce(this->Surfaces, this->Scene);
@@ -84,6 +89,30 @@ void Peers::addPictures(std::vector<Contest>& contests, int samples)
         { return this->embree().trace(quality, grouping, samples); } });
     }
   }
+}
+
+void Peers::addBalls(std::vector<Contest>& contests)
+{
+  contests.push_back({ "balls/lambent", [this]() { return this->lambent().render(); } });
+  for (TreeQuality quality : { TreeQuality::Low, TreeQuality::Medium })
+  {
+    contests.push_back({ std::string("balls/build/") + nameOf(quality),
+      [this, quality]() { return this->balls().build(quality); } });
+    contests.push_back({ std::string("balls/trace/") + nameOf(quality),
+      [this, quality]() { return this->balls().trace(quality); } });
+  }
+}
+
+void Peers::addLooks(std::vector<Contest>& contests)
+{
+  const auto add = [&](const char* name, Look look)
+  {
+    contests.push_back({ std::string("looks/") + name,
+      [this, look]() { return this->lambent().renderLook(look); } });
+  };
+  add("colors", Look::Colors);
+  add("texture", Look::Texture);
+  add("edges", Look::Edges);
 }
 
 void Peers::addLayers(std::vector<Contest>& contests)
@@ -123,6 +152,11 @@ std::vector<Contest> Peers::all()
     this->addPictures(contests, samples);
   }
   this->addLayers(contests);
+  this->addLooks(contests);
+  if (this->Scene.ballRadius > 0.0)
+  {
+    this->addBalls(contests);
+  }
   const auto addNormals = [&](const char* name, NormalsFilter filter)
   {
     contests.push_back({ std::string("normals/") + name,

@@ -13,6 +13,11 @@
  *                                   the same with N x N samples per pixel, N = 2 or 4
  *     layers/lambent, layers/embree/trace/QUALITY/packets
  *                                   the same with transparent surfaces: all hits of each ray
+ *     balls/lambent, balls/build/QUALITY, balls/trace/QUALITY
+ *                                   spheres, by Lambent and by Embree's sphere geometry
+ *     looks/colors, looks/texture, looks/edges
+ *                                   vtkLambentRayTracer with a point array through a table, with a
+ *                                   texture, and with the edges of cells
  *     opengl/first                  the first frame, with its window; needs an X server
  *     opengl/new-mesh               another mesh in the same window
  *     opengl/next                   the same mesh again
@@ -27,6 +32,7 @@
 #ifndef Peers_h
 #define Peers_h
 
+#include "EmbreeBalls.h"
 #include "EmbreeRenderer.h"
 #include "LambentRenderer.h"
 #include "ManySurfaces.h"
@@ -61,11 +67,14 @@ public:
   LambentRenderer& lambent();
   EmbreeRenderer& embree();
   OpenGLRenderer& opengl();
+  EmbreeBalls& balls();
   ManySurfaces& surfaces();
 
 private:
   std::vector<Contest> all();
   void addPictures(std::vector<Contest>& contests, int samples);
+  void addBalls(std::vector<Contest>& contests);
+  void addLooks(std::vector<Contest>& contests);
   void addLayers(std::vector<Contest>& contests);
   void addSurfaces(std::vector<Contest>& contests);
 
@@ -74,6 +83,7 @@ private:
   std::unique_ptr<LambentRenderer> Lambent;
   std::unique_ptr<EmbreeRenderer> Embree;
   std::unique_ptr<OpenGLRenderer> OpenGL;
+  std::unique_ptr<EmbreeBalls> Balls;
   std::unique_ptr<ManySurfaces> Surfaces;
 };
 

@@ -77,11 +77,13 @@ Meshes fixedMeshes(const std::string& data, const std::string& cache)
     { "dragon-uhd", file("dragon.ply") }, { "wave-300", wave(300) }, { "wave-600", wave(600) },
     { "layers", makeLayers }, { "needles", makeNeedles }, { "one-pixel", makeOnePixel },
     { "soup", makeSoup }, { "box", makeBox }, { "curtain", makeCurtain }, { "late", makeLate },
-    { "facets", makeFacets }, { "spheres", makeSpheres } };
+    { "facets", makeFacets }, { "spheres", makeSpheres }, { "balls", makeBalls },
+    { "lines", makeLines } };
 }
 
 void adjust(const std::string& name, BenchmarkScene& scene)
 {
+  scene.ballRadius = name == "balls" ? 0.006 : 0.0; // of about ten pixels
   scene.pieces = name == "facets" ? 100000 : name == "spheres" ? 3000 : 1;
   if (name == "dragon-zoom")
   {

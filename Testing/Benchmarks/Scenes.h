@@ -40,6 +40,7 @@ struct BenchmarkScene
   vtkSmartPointer<vtkPolyData> mesh; ///< triangles, float points, float point normals
   vtkNew<vtkCamera> camera;
   vtkNew<vtkLight> light;
+  double ballRadius = 0.0; ///< unless 0, the points are spheres, and there are no triangles
   int pieces = 1; ///< of equally many triangles and points, which follow each other in the mesh
   int width = 1920;
   int height = 1080;

@@ -193,6 +193,74 @@ def supersampling_table(scenes, tally):
     return table(header, rows) if rows else ""
 
 
+def layers_table(scenes, tally):
+    """Transparent surfaces: all hits of each ray."""
+    header = ["transparent surfaces", "Lambent ms", "times opaque"]
+    header += ["Embree fastest build + all hits", "ratio", "goal", "depth peeling ms", "ratio", "goal"]
+    rows = []
+    for scene in scenes:
+        ours, opaque = scene.median("layers/lambent"), scene.median("lambent")
+        found = [
+            (scene.build(quality) + trace, quality)
+            for quality in ("low", "medium", "high")
+            if (trace := scene.median(f"layers/embree/trace/{quality}/packets")) is not None
+            and scene.build(quality) is not None
+        ]
+        if ours is None or not found:
+            continue
+        goals = GOALS["layers"].get(scene.name, {})
+        total, quality = min(found)
+        peeled = scene.median("layers/opengl")
+        row = [scene.name, f"{ms(ours)} ±{100 * scene.spread('layers/lambent'):.0f} %"]
+        row += [f"{ours / opaque:.2f}", f"{ms(total)} ({quality})"]
+        row += [tally.ratio(f"{scene.name}: all hits", total, ours, goals.get("embree"))]
+        row += [goal_text(goals.get("embree")), ms(peeled)]
+        row += [tally.ratio(f"{scene.name}: depth peeling", peeled, ours, goals.get("opengl"))]
+        rows.append(row + [goal_text(goals.get("opengl"))])
+    return table(header, rows) if rows else ""
+
+
+def looks_table(scenes, tally):
+    """A surface with other looks, compared with the plain one."""
+    looks = ("colors", "texture", "edges")
+    header = ["other looks", "plain ms"]
+    for look in looks:
+        header += [f"{look} ms", "ratio", "goal"]
+    rows = []
+    for scene in scenes:
+        if scene.median("looks/colors") is None:
+            continue
+        plain = scene.median("lambent")
+        row = [scene.name, ms(plain)]
+        for look in looks:
+            goal = GOALS["looks"].get(look)
+            time = scene.median(f"looks/{look}")
+            row += [ms(time), tally.most(f"{scene.name}: {look}", time / plain, goal)]
+            row += [f"≤ {goal}" if goal else ""]
+        rows.append(row)
+    return table(header, rows) if rows else ""
+
+
+def balls_table(scenes, tally):
+    """Spheres, compared with Embree's sphere geometry."""
+    header = ["spheres", "Lambent ms", "Embree fastest build + trace", "ratio", "goal"]
+    rows = []
+    for scene in scenes:
+        ours = scene.median("balls/lambent")
+        if ours is None:
+            continue
+        total, parts, quality = min(
+            (scene.median(f"balls/build/{q}") + scene.median(f"balls/trace/{q}"),
+             f"{ms(scene.median(f'balls/build/{q}'))} + {ms(scene.median(f'balls/trace/{q}'))}", q)
+            for q in ("low", "medium")
+        )
+        goal = GOALS["balls"]
+        row = [scene.name, f"{ms(ours)} ±{100 * scene.spread('balls/lambent'):.0f} %"]
+        row += [f"{parts} ({quality})", tally.ratio(scene.name, total, ours, goal)]
+        rows.append([*row, goal_text(goal)])
+    return table(header, rows) if rows else ""
+
+
 def further_table(scenes, tally):
     """Threads and memory."""
     header = ["scene", "1 thread ms", "2 threads are faster by", "peak MB beyond mesh and image"]
@@ -242,6 +310,9 @@ def write(scenes, machine, load_after, quick):
         normals_table(scenes, tally),
         supersampling_table(scenes, tally),
         surfaces_table(scenes, tally),
+        layers_table(scenes, tally),
+        looks_table(scenes, tally),
+        balls_table(scenes, tally),
         further_table(scenes, tally),
     ]
     load = f"load average {machine['load'][0]:.1f} before, {load_after[0]:.1f} after"

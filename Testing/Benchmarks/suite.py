@@ -36,6 +36,8 @@ HARD_SCENES = [
 ]
 
 SURFACE_SCENES = ["spheres", "facets"]  # scenes with many surfaces
+# Scenes of other primitives than triangles, and their contests.
+KIND_SCENES = {"balls": "balls/.*", "lines": "lambent|1-thread/lambent|opengl/.*"}
 
 # The contests that matter for the goals, without those that have never been the fastest.
 QUICK = "lambent|embree/build/(low|medium)|embree/trace/(low|medium)/packet.*"
@@ -43,6 +45,8 @@ EVERYTHING = "lambent|1-thread/lambent|embree/.*|opengl/.*"
 SURFACES = "lambent|surfaces/.*"
 SUPERSAMPLING = ["dragon", "bunny"]  # scenes that also run with several samples per pixel
 NORMALS = "normals/.*"
+# With transparent surfaces. Depth peeling takes minutes for 64 layers over the whole picture.
+TRANSPARENT = {"dragon": "layers/.*", "layers": "layers/(lambent|embree/.*)"}
 
 
 class Suite:
@@ -96,11 +100,17 @@ def say(text):
 def contests_of(name, quick):
     if name in SURFACE_SCENES:
         return SURFACES
+    if name in KIND_SCENES:
+        return KIND_SCENES[name]
     contests = QUICK if quick else EVERYTHING
     if name in SUPERSAMPLING:
         contests = f"(supersampling-./)?({contests})"
     if name == "dragon" or (name.startswith("wave") and not quick):
         contests += "|1-thread/lambent|" + NORMALS
+    if name in TRANSPARENT and not quick:
+        contests += "|" + TRANSPARENT[name]
+    if name == "dragon" and not quick:
+        contests += "|looks/.*"
     return contests
 
 
@@ -113,9 +123,9 @@ def measure(suite, names, quick):
         if scene is None:
             say(f"{name}: skipped")
             continue
-        if not quick or "megabytes" in report.GOALS["scenes"].get(name, {}):
+        if (not quick and name not in KIND_SCENES) or "megabytes" in report.GOALS["scenes"].get(name, {}):
             scene.memory["lambent"] = suite.memory(name, "lambent")
-        if not quick:
+        if not quick and name not in KIND_SCENES:
             for quality in ("low", "medium", "high"):
                 contest = f"embree/build/{quality}"
                 scene.memory[contest] = suite.memory(name, contest)
@@ -149,7 +159,8 @@ def main():
     suite = Suite(options.build, options.data, options.quick)
     before = machine()
     if not options.only_scaling:
-        names = GOAL_SCENES + SURFACE_SCENES + ([] if options.quick else HARD_SCENES)
+        names = GOAL_SCENES + SURFACE_SCENES
+        names += [] if options.quick else [*KIND_SCENES, *HARD_SCENES]
         names = options.scenes.split(",") if options.scenes else names
         scenes = measure(suite, names, options.quick)
         text = report.write(scenes, before, os.getloadavg(), options.quick)
