@@ -4,11 +4,12 @@
  * @file
  * @brief reads a polygon mesh from a PLY file
  *
- * Reads text, and binary of either byte order: the coordinates, normals and colours of the vertices,
- * the vertex lists of the faces, and the triangle strips of the element "tristrips". All other
- * elements and properties are skipped. Colours (red, green, blue, and alpha if there is one) are
- * bytes, or floats from 0 to 1, which become bytes; they are the active scalars "RGB" or "RGBA". Coordinates keep their precision, float or double. Excess numbers on
- * a line of text, and bytes after the last element, are ignored with a warning.
+ * Reads text, and binary of either byte order: the coordinates, normals and colours of the
+ * vertices, the vertex lists of the faces, and the triangle strips of the element "tristrips". All
+ * other elements and properties are skipped. Colours (red, green, blue, and alpha if there is one)
+ * are bytes, or floats from 0 to 1, which become bytes; they are the active scalars "RGB" or
+ * "RGBA". Coordinates keep their precision, float or double. Excess numbers on a line of text, and
+ * bytes after the last element, are ignored with a warning.
  *
  * vtkPLYReader is not used, for three reasons: it narrows double coordinates to float; it trusts
  * the header (it reads beyond a line of a truncated text file, and allocates whatever a count
