@@ -4,6 +4,7 @@
 #include "IdleOptions.h"
 #include "DataColors.h"
 #include "IdleFeatureAngle.h"
+#include "IdleProperty.h"
 #include "Messages.h"
 
 #include "vtkImageData.h"
@@ -34,6 +35,10 @@ void DropIdleOptions(Options& options, const std::vector<vtkSmartPointer<vtkPoly
     Warn(options, whyAngle);
   }
   for (const std::string& why : WhyColorsAreIdle(options, meshes))
+  {
+    Warn(options, why);
+  }
+  for (const std::string& why : WhyPropertyIsIdle(options, meshes))
   {
     Warn(options, why);
   }

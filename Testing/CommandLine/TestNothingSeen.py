@@ -20,6 +20,8 @@ COLOURS = ("the light has none of the colours that the faces reflect; try anothe
            "another color in --light")
 NO_COLOUR = "all visible faces are black; try another --color, --diffuse or --ambient"
 BEHIND = "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2"
+INVISIBLE = "the surfaces are invisible; try a larger --opacity"
+TRANSPARENT = "the surfaces are too transparent to show; try a larger --opacity"
 
 # A mesh, options, and the line that follows "the picture shows nothing: ".
 CASES = (
@@ -44,6 +46,13 @@ CASES = (
     (TETRAHEDRON, ("--shading", "unlit", "--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--background", "white", "--shading", "unlit"),
      "all visible faces have the colour of the background; try another --background"),
+    (TETRAHEDRON, ("--opacity", "0"), INVISIBLE),
+    (TETRAHEDRON, ("--opacity", "0", "--background", "white"), INVISIBLE),
+    (TETRAHEDRON, ("--opacity", "1e-3"), TRANSPARENT),
+    (TETRAHEDRON, ("--opacity", "1e-4", "--shading", "unlit"), TRANSPARENT),
+    (SQUARE, AT_Z + ("--edges", "--line-width", "500"), "the edges hide the faces; try a larger "
+     "--size, a smaller --line-width or another --edge-color"),
+    (SQUARE, AT_Z + ("--diffuse", "0", "--specular", "1", "--light", "direction=0,0,1"), BEHIND),
     # The light.
     (SQUARE, AT_Z + ("--light", "direction=0,0,1"), BEHIND),
     (SQUARE, AT_Z + ("--light", "position=0,0,-3", "--light", "position=1,0,-3"), BEHIND),

@@ -106,6 +106,8 @@ LAYER_PAINTING = "Rendering/Core/LayerPainting.cxx"
 COLOR_MAPS = "Rendering/CommandLine/ColorMaps.cxx"
 COLOR_BY = "Rendering/CommandLine/ColorBy.cxx"
 PLY_VERTICES = "Rendering/CommandLine/Reading/PlyVertices.cxx"
+IDLE_PROPERTY = "Rendering/CommandLine/IdleProperty.cxx"
+NOTHING_SEEN = "Rendering/CommandLine/NothingSeen.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -628,4 +630,8 @@ MUTATIONS = [
     (LIGHT, "(2.0 * facing) / normalSquare", "2.0 * facing", "normals of highlights have any length"),
     (LIGHT, "this->Parallel ? this->TowardsViewer : -point.position", "-point.position",
      "highlights in a parallel view are seen along the rays"),
+    # The command's options of surfaces, textures and materials.
+    (IDLE_PROPERTY, "options.edges || options.edgeColor;", "options.edges;",
+     "the colour of edges shows them"),
+    (NOTHING_SEEN, "  options.opacity = 1;", "", "invisible faces are hit"),
 ]
