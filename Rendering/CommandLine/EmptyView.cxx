@@ -246,6 +246,12 @@ std::string WhyNothingIsHit(const Options& options,
   {
     return "no face lies in the view of the camera" + tryWithout;
   }
+  if (options.representation != Representation::Surface)
+  {
+    return options.representation == Representation::Points
+      ? "the points fall between the pixels; try a larger --point-size"
+      : "the lines fall between the pixels; try a larger --line-width";
+  }
   return "the faces appear so small that they fall between the pixels; try a larger --zoom or "
          "--size";
 }

@@ -40,6 +40,10 @@ CASES = (
     (SQUARE, AT_Z + ("--focal-point", "30,0,0", "--zoom", "2"), OUTSIDE + "--focal-point or --zoom"),
     (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces appear so small that they fall "
      "between the pixels; try a larger --zoom or --size"),
+    (SQUARE, AT_Z + ("--parallel-scale", "3", "--representation", "points", "--point-size", "0.1"),
+     "the points fall between the pixels; try a larger --point-size"),
+    (TETRAHEDRON, ("--representation", "wireframe", "--line-width", "1e-6"),
+     "the lines fall between the pixels; try a larger --line-width"),
     # The surface.
     (TETRAHEDRON, ("--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--diffuse", "0"), NO_COLOUR),
