@@ -10,6 +10,8 @@
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace lambent::command
 {
 namespace
@@ -23,10 +25,20 @@ void Warn(const Options& options, const std::string& reason)
   }
 }
 
+bool HaveHighlights(const std::vector<MeshLooks>& meshes)
+{
+  return std::any_of(meshes.begin(), meshes.end(),
+    [](const MeshLooks& mesh)
+    {
+      return std::any_of(mesh.looks.begin(), mesh.looks.end(),
+        [](const Look& look) { return look.material.specular && look.material.hasHighlights; });
+    });
+}
+
 } // namespace
 
 void DropIdleOptions(Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
-  vtkImageData* background)
+  const std::vector<MeshLooks>& looks, vtkImageData* background)
 {
   const std::string whyAngle = WhyFeatureAngleIsIdle(options, meshes);
   if (!whyAngle.empty())
@@ -38,9 +50,15 @@ void DropIdleOptions(Options& options, const std::vector<vtkSmartPointer<vtkPoly
   {
     Warn(options, why);
   }
-  for (const std::string& why : WhyPropertyIsIdle(options, meshes))
+  for (const std::string& why : WhyPropertyIsIdle(options, meshes, HaveHighlights(looks)))
   {
     Warn(options, why);
+  }
+  const std::string whyTexture = WhyTextureIsIdle(options);
+  if (!whyTexture.empty())
+  {
+    options.texture.clear();
+    Warn(options, whyTexture);
   }
   const Triple black{ 0, 0, 0 };
   if (background && background->GetNumberOfScalarComponents() % 2 == 1 &&

@@ -19,6 +19,12 @@ std::string Conflict(const std::string& option, const std::string& other)
   return option + " has no effect with " + other + "; omit one of them";
 }
 
+std::string NameOf(Representation representation)
+{
+  return std::string("--representation ") +
+    (representation == Representation::Points ? "points" : "wireframe");
+}
+
 bool AreLinesDrawn(const Options& options, const Meshes& meshes)
 {
   const bool hasEdges = options.edges || options.edgeColor;
@@ -43,7 +49,17 @@ bool AreAllSpheres(const Options& options)
   return options.spheres && options.spheres->array.empty();
 }
 
-std::vector<std::string> WhyPropertyIsIdle(const Options& options, const Meshes& meshes)
+std::string WhyTextureIsIdle(const Options& options)
+{
+  const bool isSurface = options.representation == Representation::Surface;
+  return options.texture.empty() ? ""
+    : AreAllSpheres(options)     ? Conflict("--texture", "--spheres")
+    : !isSurface                 ? Conflict("--texture", NameOf(options.representation))
+                                 : "";
+}
+
+std::vector<std::string> WhyPropertyIsIdle(
+  const Options& options, const Meshes& meshes, bool hasHighlights)
 {
   std::vector<std::string> reasons;
   const auto add = [&reasons](bool isIdle, const std::string& reason)
@@ -57,17 +73,15 @@ std::vector<std::string> WhyPropertyIsIdle(const Options& options, const Meshes&
   const bool areSpheres = AreAllSpheres(options);
   const bool isSurface = options.representation == Representation::Surface;
   const std::string edges = options.edges ? "--edges" : "--edge-color";
-  const std::string representation =
-    options.representation == Representation::Points ? "points" : "wireframe";
-  add(areSpheres && !isSurface, Conflict("--representation " + representation, "--spheres"));
+  add(areSpheres && !isSurface, Conflict(NameOf(options.representation), "--spheres"));
   if (options.edges || options.edgeColor)
   {
     add(areSpheres, Conflict(edges, "--spheres"));
-    add(!areSpheres && !isSurface, Conflict(edges, "--representation " + representation));
+    add(!areSpheres && !isSurface, Conflict(edges, NameOf(options.representation)));
   }
-  add(options.specular > 0 && options.shading == Shading::Unlit,
+  add(options.specular.value_or(0) > 0 && options.shading == Shading::Unlit,
     Conflict("--specular", "--shading unlit"));
-  add(options.specularPower != usual.specularPower && options.specular <= 0,
+  add(options.specularPower && options.specular.value_or(0) <= 0 && !hasHighlights,
     "--specular-power has no effect without --specular; add one, such as --specular 0.3");
   add(options.lineWidth != usual.lineWidth && !AreLinesDrawn(options, meshes),
     "--line-width has no effect, because no lines are drawn; add --edges or --representation "

@@ -23,9 +23,12 @@ namespace lambent::command
 /// Whether all inputs are drawn as spheres.
 bool AreAllSpheres(const Options& options);
 
-/// One reason for each, with a remedy. An option that has its default value is never named.
-std::vector<std::string> WhyPropertyIsIdle(
-  const Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
+/// Why the texture of an option is not shown, with a remedy; empty if it is, or if there is none.
+std::string WhyTextureIsIdle(const Options& options);
+
+/// One reason for each, with a remedy. `hasHighlights` tells whether a material has some.
+std::vector<std::string> WhyPropertyIsIdle(const Options& options,
+  const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, bool hasHighlights);
 
 } // namespace lambent::command
 

@@ -190,7 +190,7 @@ std::string WhyAllIsBlack(Options options, const Meshes& meshes)
   const Triple color = options.color.value_or(Triple{ 1, 1, 1 });
   const bool isUnlit = options.shading == Shading::Unlit;
   const bool reflectsDiffuse = (options.diffuse > 0 || isUnlit) && !IsBlack(color);
-  const bool reflectsSpecular = options.specular > 0;
+  const bool reflectsSpecular = options.specular.value_or(0) > 0;
   const bool reflectsAmbient =
     options.ambient > 0 && !IsBlack(options.ambientColor.value_or(color));
   if (!reflectsDiffuse && (isUnlit || (!reflectsSpecular && !reflectsAmbient)))
