@@ -75,6 +75,8 @@ std::string InWordsOfOptions(const std::string& error)
 {
   for (const auto& [method, option] : { std::pair("Call SetImageSize()", "Choose a smaller --size"),
          std::pair("or call SetInputScalarVisibility() with false", "or give a --color"),
+         std::pair("Call SetInputColorArray() with a point array",
+           "Choose a point array in --color-by, or omit --spheres"),
          std::pair("Call vtkCamera::SetViewUp()", "Choose another --view-up"),
          std::pair("Move one of them with vtkCamera", "Move --camera-position or --focal-point") })
   {

@@ -139,6 +139,33 @@ void AddCells(Faces& faces, const View& view, vtkPolyData* mesh, vtkCellArray* c
   }
 }
 
+/// Why no line or vertex is hit, if there are any with finite points.
+std::string WhyNoLineIsHit(const View& view,
+  const std::vector<vtkSmartPointer<vtkPolyData>>& meshes, const std::string& tryWithout)
+{
+  bool isAny = false, isInFront = false, isInView = false;
+  vtkNew<vtkIdList> ids;
+  for (vtkPolyData* mesh : meshes)
+  {
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfVerts() + mesh->GetNumberOfLines(); ++cell)
+    {
+      mesh->GetCellPoints(cell, ids);
+      for (const vtkIdType id : *ids)
+      {
+        Triple point;
+        mesh->GetPoint(id, point.data());
+        const Seen seen = view.see(point);
+        isAny = isAny || std::isfinite(seen.depth);
+        isInFront = isInFront || seen.depth > 0;
+        isInView = isInView || (seen.depth > 0 && view.contains(seen));
+      }
+    }
+  }
+  return !isAny || isInView ? ""
+    : isInFront             ? "no line or vertex lies in the view of the camera" + tryWithout
+                            : "all lines and vertices lie behind the camera" + tryWithout;
+}
+
 /// The normal as a value of --direction: rounded, and on the side of the default direction.
 std::string DirectionAlong(Triple normal)
 {
@@ -197,7 +224,10 @@ std::string WhyNothingIsHit(const Options& options,
   }
   if (faces.count == 0) // missing faces and NaN points have already caused warnings
   {
-    return faces.hasTooFewCorners ? "none of the faces has three corners" : "";
+    const std::string reason = WhyNoLineIsHit(view, meshes, tryWithout);
+    return !reason.empty()     ? reason
+      : faces.hasTooFewCorners ? "none of the faces has three corners"
+                               : "";
   }
   if (faces.largestArea <= 0)
   {
@@ -215,6 +245,12 @@ std::string WhyNothingIsHit(const Options& options,
   if (!faces.isInView)
   {
     return "no face lies in the view of the camera" + tryWithout;
+  }
+  if (options.representation != Representation::Surface)
+  {
+    return options.representation == Representation::Points
+      ? "the points fall between the pixels; try a larger --point-size"
+      : "the lines fall between the pixels; try a larger --line-width";
   }
   return "the faces appear so small that they fall between the pixels; try a larger --zoom or "
          "--size";

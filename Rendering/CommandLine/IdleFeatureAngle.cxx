@@ -4,6 +4,7 @@
 #include "IdleFeatureAngle.h"
 
 #include "CheckPolygons.h"
+#include "IdleProperty.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -24,9 +25,15 @@ std::string WhyFeatureAngleIsIdle(
     return noEffect + " with --shading " + (options.shading == Shading::Flat ? "flat" : "unlit") +
       "; omit one of them";
   }
-  if (options.spheres && options.spheres->array.empty())
+  if (AreAllSpheres(options))
   {
     return noEffect + " with --spheres; omit one of them";
+  }
+  if (options.representation != Representation::Surface)
+  {
+    return noEffect + " with --representation " +
+      (options.representation == Representation::Points ? "points" : "wireframe") +
+      "; omit one of them";
   }
   bool isAnyDrawn = false;
   for (vtkPolyData* mesh : meshes)

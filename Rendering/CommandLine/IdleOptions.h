@@ -8,6 +8,7 @@
 #ifndef IdleOptions_h
 #define IdleOptions_h
 
+#include "MaterialInputs.h"
 #include "Options.h"
 
 #include "vtkSmartPointer.h"
@@ -23,7 +24,7 @@ namespace lambent::command
 /// Warns, unless the command is quiet, and drops the options of which the ray tracer itself would
 /// warn: it would name methods instead of options. The background image may be null.
 void DropIdleOptions(Options& options, const std::vector<vtkSmartPointer<vtkPolyData>>& meshes,
-  vtkImageData* background);
+  const std::vector<MeshLooks>& looks, vtkImageData* background);
 
 } // namespace lambent::command
 

@@ -64,11 +64,34 @@ vtkSmartPointer<vtkTexture> TextureOf(const Look& look)
   return texture;
 }
 
+/// The colours, the opacity and the highlights of a material, with those options that override it.
+void ApplyMaterial(const Material& material, const Options& options, vtkProperty* property)
+{
+  if (material.diffuse || material.ambient)
+  {
+    const Triple diffuse = material.diffuse.value_or(Triple{ 1, 1, 1 });
+    const Triple ambient = options.ambientColor.value_or(material.ambient.value_or(diffuse));
+    property->SetDiffuseColor(diffuse.data());
+    property->SetAmbientColor(ambient.data());
+  }
+  const double opacity = material.opacity.value_or(1 - material.transparency.value_or(0));
+  property->SetOpacity(opacity * options.opacity);
+  // Without an exponent, the highlight would cover the whole surface.
+  const double power = options.specularPower.value_or(material.specularPower.value_or(0));
+  if (material.specular && material.hasHighlights && power > 0 && !options.specular)
+  {
+    Triple specular = *material.specular;
+    property->SetSpecular(1);
+    property->SetSpecularColor(specular.data());
+    property->SetSpecularPower(power);
+  }
+}
+
 } // namespace
 
 bool ShowsMaterials(const Options& options)
 {
-  return !options.color && options.colors.array.empty();
+  return !options.color && options.colors.array.empty() && options.texture.empty();
 }
 
 MaterialInputs::MaterialInputs(const Meshes& meshes, const std::vector<MeshLooks>& looks)
@@ -114,19 +137,16 @@ void MaterialInputs::Add(std::size_t mesh, vtkPolyData* part, const Look& look, 
 
 void MaterialInputs::Apply(const Options& options, vtkLambentRayTracer* tracer) const
 {
-  const Triple white{ 1, 1, 1 };
   for (std::size_t k = 0; k < this->LookOf.size(); ++k)
   {
     const auto input = static_cast<int>(k);
     const Material& material = this->LookOf[k].material;
-    if (material.diffuse || material.ambient)
+    if (material.diffuse || material.ambient || material.specular || material.opacity ||
+      material.transparency)
     {
-      const Triple diffuse = material.diffuse.value_or(white);
-      const Triple ambient = options.ambientColor.value_or(material.ambient.value_or(diffuse));
       vtkNew<vtkProperty> property;
       property->DeepCopy(tracer->GetProperty());
-      property->SetDiffuseColor(diffuse.data());
-      property->SetAmbientColor(ambient.data());
+      ApplyMaterial(material, options, property);
       tracer->SetInputProperty(input, property);
     }
     if (this->LookOf[k].image)

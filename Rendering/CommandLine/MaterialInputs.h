@@ -9,7 +9,7 @@
  * computed normals do not break where materials meet. The first look stays at the mesh's own
  * place; the inputs of the others follow behind all meshes.
  *
- * With a colour from an option, materials are not used.
+ * With a colour or a texture from an option, materials are not used.
  */
 
 #ifndef MaterialInputs_h

@@ -96,6 +96,9 @@ vtkSmartPointer<vtkImageData> DrawHits(Options options, const Meshes& meshes)
   options.shading = Shading::Unlit;
   options.color = Triple{ 1, 1, 1 };
   options.colors = ColorOptions();
+  options.opacity = 1;
+  options.edges = false;
+  options.edgeColor.reset();
   return DrawOnBlack(options, meshes);
 }
 
@@ -136,10 +139,23 @@ bool IsLamp(const LightValue& light)
   return light.kind == LightValue::Kind::Positional;
 }
 
+bool HideEdges(Options& options)
+{
+  const bool isChange = options.edges || options.edgeColor;
+  options.edges = false;
+  options.edgeColor.reset();
+  return isChange;
+}
+
 /// Made in this order; each experiment keeps the changes of those before it.
 const std::vector<Experiment>& Experiments()
 {
   static const std::vector<Experiment> experiments{
+    { [](Options& options, LightValue&) { return HideEdges(options); },
+      "the edges hide the faces; try a larger --size, a smaller --line-width or another "
+      "--edge-color" },
+    { [](Options& options, LightValue&) { return Set(options.opacity, 1.0); },
+      "the surfaces are too transparent to show; try a larger --opacity" },
     { [](Options&, LightValue& light) { return IsLamp(light) && Set(light.cone, 180.0); },
       "no visible face lies in the cone of a light; try a wider cone or another focal point in "
       "--light" },
@@ -172,10 +188,12 @@ const std::vector<Experiment>& Experiments()
 std::string WhyAllIsBlack(Options options, const Meshes& meshes)
 {
   const Triple color = options.color.value_or(Triple{ 1, 1, 1 });
-  const bool reflectsDiffuse = options.diffuse > 0 && !IsBlack(color);
+  const bool isUnlit = options.shading == Shading::Unlit;
+  const bool reflectsDiffuse = (options.diffuse > 0 || isUnlit) && !IsBlack(color);
+  const bool reflectsSpecular = options.specular.value_or(0) > 0;
   const bool reflectsAmbient =
     options.ambient > 0 && !IsBlack(options.ambientColor.value_or(color));
-  if (options.shading == Shading::Unlit || (!reflectsDiffuse && !reflectsAmbient))
+  if (!reflectsDiffuse && (isUnlit || (!reflectsSpecular && !reflectsAmbient)))
   {
     return "all visible faces are black; try another --color, --diffuse or --ambient";
   }
@@ -243,6 +261,10 @@ std::string WhyNothingIsSeen(const Options& drawing, const Meshes& meshes, vtkIm
     const auto tracer = MakeScene(options, meshes);
     const std::string reason = WhyNothingIsHit(options, meshes, tracer->GetCamera());
     return reason.empty() ? "" : nothing + reason;
+  }
+  if (options.opacity <= 0)
+  {
+    return nothing + "the surfaces are invisible; try a larger --opacity";
   }
   if (IsBlackWhereHit(picture, hits))
   {

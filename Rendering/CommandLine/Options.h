@@ -118,10 +118,11 @@ struct Options
   AmbientModel ambientModel = AmbientModel::PerLight;
   double diffuse = 1;
   double ambient = 0;
-  std::optional<Triple> color;        ///< absent: the colours in the files, or else white
-  std::optional<Triple> ambientColor; ///< absent: as `color`
-  double specular = 0;
-  double specularPower = 1;
+  std::optional<Triple> color;         ///< absent: the colours in the files, or else white
+  std::optional<Triple> ambientColor;  ///< absent: as `color`
+  std::string texture;                 ///< a picture file that covers the inputs; empty: none
+  std::optional<double> specular;      ///< absent: that of materials, or else 0
+  std::optional<double> specularPower; ///< absent: that of materials, or else 1
   double opacity = 1;
   Representation representation = Representation::Surface;
   bool edges = false;

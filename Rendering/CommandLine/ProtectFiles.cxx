@@ -25,6 +25,7 @@ Files ReadFiles(const Options& options)
     files.emplace_back(input, "an input");
   }
   files.emplace_back(options.backgroundImage, "the background image");
+  files.emplace_back(options.texture, "the texture");
   files.emplace_back(options.picture, "the picture to compare");
   files.emplace_back(options.comparison.baseline, "the baseline");
   return files;

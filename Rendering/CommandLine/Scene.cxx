@@ -199,8 +199,8 @@ vtkSmartPointer<vtkProperty> MakeProperty(const Options& options)
   property->SetAmbientColor(ambientColor.data());
   property->SetInterpolation(options.shading == Shading::Flat ? VTK_FLAT : VTK_PHONG);
   property->SetLighting(options.shading != Shading::Unlit);
-  property->SetSpecular(options.specular);
-  property->SetSpecularPower(options.specularPower);
+  property->SetSpecular(options.specular.value_or(0));
+  property->SetSpecularPower(options.specularPower.value_or(1));
   property->SetOpacity(options.opacity);
   property->SetRepresentation(options.representation == Representation::Wireframe ? VTK_WIREFRAME
       : options.representation == Representation::Points                          ? VTK_POINTS

@@ -3,6 +3,7 @@
 
 #include "SurfaceOptions.h"
 #include "AddValue.h"
+#include "FilmOptions.h"
 
 #include <map>
 
@@ -51,6 +52,11 @@ void AddMaterial(CLI::App& app, Options& options)
     "colour of the surfaces, instead of colours in the files [file: these, or else white]");
   AddValue(app, "--ambient-color", "COLOUR", options.ambientColor, ParseColor,
     "colour of the ambient reflection [as --color]");
+  app
+    .add_option("--texture", options.texture,
+      "picture that covers the surfaces, which need texture coordinates; instead of materials")
+    ->type_name("FILE")
+    ->check(IsPicture);
   AddValue(
     app, "--specular", "F", options.specular, ParseFraction, "specular reflection, 0..1 [0]");
   AddValue(

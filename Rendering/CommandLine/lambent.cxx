@@ -7,6 +7,7 @@
 
 #include "CheckPolygons.h"
 #include "Compare.h"
+#include "CoverWithTexture.h"
 #include "DataColors.h"
 #include "DrawPicture.h"
 #include "FileKinds.h"
@@ -50,8 +51,8 @@ Meshes ReadMeshes(
   std::optional<ContourValue> contour = options.contour;
   if (contour)
   {
-    contour->keepsArrays =
-      !options.passes.empty() || !options.colors.array.empty() || options.spheres;
+    contour->keepsArrays = !options.passes.empty() || !options.colors.array.empty() ||
+      options.spheres || !options.texture.empty();
   }
   Meshes meshes;
   for (const std::string& path : options.inputs)
@@ -177,7 +178,11 @@ bool Draw(Options options, VtkMessages& messages)
   {
     background = ReadBackground(options.backgroundImage, messages, progress);
   }
-  DropIdleOptions(options, meshes, background);
+  DropIdleOptions(options, meshes, looks, background);
+  if (!options.texture.empty())
+  {
+    looks = CoverWithTexture(options, meshes, messages, progress);
+  }
   stopwatch.Lap("reading");
   const Drawing drawing =
     DrawPicture(options, meshes, looks, background, messages, progress, stopwatch);

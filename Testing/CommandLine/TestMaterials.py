@@ -81,6 +81,54 @@ class Materials(CommandTest):
         self.succeed(*lit, "--quiet", "--ambient-color", "blue")
         self.assertEqual(read_pnm(self.read("lit.pnm"))[10][10], BLUE)
 
+    def test_opacity(self):
+        for left, right, expected in (("d 0.4", "Tr 0.6", ((102, 0, 0), (0, 102, 0))),
+                                      ("d 0.4\nTr 0", "Tr 1\nd 1", ((102, 0, 0), GREEN)),
+                                      ("d -halo 0.4", "Tr 0", ((102, 0, 0), GREEN)),
+                                      ("d 7", "map_d none.png", (RED, GREEN))):
+            with self.subTest(left + right):
+                self.write_squares(
+                    "newmtl left\nKd 1 0 0\n%s\nnewmtl right\nKd 0 1 0\n%s\n" % (left, right))
+                self.assertEqual(self.middles("squares.obj"), expected)
+        self.write_squares("newmtl left\nd 0.5\nnewmtl right\nKd 0 1 0\n")
+        self.assertEqual(self.middles("squares.obj", "--opacity", "0.4"), ((51, 51, 51), (0, 102, 0)))
+        self.assertEqual(self.middles("squares.obj", "--color", "red"), (RED, RED))
+
+    def highlights(self, left, right, *arguments):
+        """The colours in the middle of both squares, without diffuse reflection."""
+        self.write_squares("newmtl left\n%s\nnewmtl right\n%s\n" % (left, right))
+        self.succeed("squares.obj", "-o", "lit.pnm", "--direction", "0,0,1", "--parallel-scale", "1",
+                     "--size", "40x20", "--supersampling", "1", "--diffuse", "0", *arguments)
+        rows = read_pnm(self.read("lit.pnm"))
+        return rows[10][10], rows[10][30]
+
+    def test_highlights(self):
+        seen = (51, 102, 255)
+        for left, right, expected in (
+                ("Ks 0.2 0.4 1\nNs 30", "Ks 0 1 0\nNs 1000\nillum 2", (seen, GREEN)),
+                ("Ks 1 1 1", "Ks 1 1 1\nNs 0", ((0, 0, 0), (0, 0, 0))),
+                ("Ks 1 1 1\nNs 5\nillum 1", "Ks 1 1 1\nNs 5\nillum 0", ((0, 0, 0), (0, 0, 0)))):
+            with self.subTest(left + right):
+                self.assertEqual(self.highlights(left, right, "--quiet"), expected)
+
+    def test_options_of_highlights(self):
+        material = "Ks 0.2 0.4 1"
+        self.assertEqual(self.highlights(material, material, "--specular-power", "5"),
+                         ((51, 102, 255),) * 2)
+        self.assertEqual(self.highlights(material, material + "\nNs 5", "--specular", "0.4"),
+                         ((102, 102, 102),) * 2)
+        self.assertEqual(self.highlights(material + "\nNs 5", "Ns 9", "--specular", "0", "--quiet"),
+                         ((0, 0, 0),) * 2)
+
+    def test_exponents_make_highlights_small(self):
+        lamp = ("--light", "position=-1,0,0.5", "--quiet")  # above the left square's middle
+        self.highlights("Ks 1 1 1\nNs 2", "Ks 1 1 1\nNs 2", *lamp)
+        wide = read_pnm(self.read("lit.pnm"))
+        self.highlights("Ks 1 1 1\nNs 20", "Ks 1 1 1\nNs 20", *lamp)
+        narrow = read_pnm(self.read("lit.pnm"))
+        self.assertLess(narrow[10][14], wide[10][14])
+        self.assertGreater(narrow[10][10], (200, 200, 200))
+
     def test_textures(self):
         self.write("my image.png", QUADRANTS)
         self.write_squares("newmtl left\nmap_Kd -bm 1 my image.png \n"

@@ -20,6 +20,8 @@ COLOURS = ("the light has none of the colours that the faces reflect; try anothe
            "another color in --light")
 NO_COLOUR = "all visible faces are black; try another --color, --diffuse or --ambient"
 BEHIND = "the lights shine along the faces or from behind them; try --headlight or --ambient 0.2"
+INVISIBLE = "the surfaces are invisible; try a larger --opacity"
+TRANSPARENT = "the surfaces are too transparent to show; try a larger --opacity"
 
 # A mesh, options, and the line that follows "the picture shows nothing: ".
 CASES = (
@@ -38,12 +40,23 @@ CASES = (
     (SQUARE, AT_Z + ("--focal-point", "30,0,0", "--zoom", "2"), OUTSIDE + "--focal-point or --zoom"),
     (SQUARE, AT_Z + ("--parallel-scale", "1e6"), "the faces appear so small that they fall "
      "between the pixels; try a larger --zoom or --size"),
+    (SQUARE, AT_Z + ("--parallel-scale", "3", "--representation", "points", "--point-size", "0.1"),
+     "the points fall between the pixels; try a larger --point-size"),
+    (TETRAHEDRON, ("--representation", "wireframe", "--line-width", "1e-6"),
+     "the lines fall between the pixels; try a larger --line-width"),
     # The surface.
     (TETRAHEDRON, ("--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--diffuse", "0"), NO_COLOUR),
     (TETRAHEDRON, ("--shading", "unlit", "--color", "black"), NO_COLOUR),
     (TETRAHEDRON, ("--background", "white", "--shading", "unlit"),
      "all visible faces have the colour of the background; try another --background"),
+    (TETRAHEDRON, ("--opacity", "0"), INVISIBLE),
+    (TETRAHEDRON, ("--opacity", "0", "--background", "white"), INVISIBLE),
+    (TETRAHEDRON, ("--opacity", "1e-3"), TRANSPARENT),
+    (TETRAHEDRON, ("--opacity", "1e-4", "--shading", "unlit"), TRANSPARENT),
+    (SQUARE, AT_Z + ("--edges", "--line-width", "500"), "the edges hide the faces; try a larger "
+     "--size, a smaller --line-width or another --edge-color"),
+    (SQUARE, AT_Z + ("--diffuse", "0", "--specular", "1", "--light", "direction=0,0,1"), BEHIND),
     # The light.
     (SQUARE, AT_Z + ("--light", "direction=0,0,1"), BEHIND),
     (SQUARE, AT_Z + ("--light", "position=0,0,-3", "--light", "position=1,0,-3"), BEHIND),

@@ -27,7 +27,7 @@ class TestUsage(CommandTest):
                        "--formats", "--alpha", "--background-image", "--pass", "--color-by",
                        "--colormap", "--range", "--log", "--nan-color", "--opacity", "--edges",
                        "--edge-color", "--line-width", "--point-size", "--representation",
-                       "--spheres", "--specular", "--specular-power", "--list"):
+                       "--spheres", "--specular", "--specular-power", "--list", "--texture"):
             self.assertIn(option + " ", text.replace(",", " "))
         self.assertRegex(self.succeed("--version").decode(), r"\Alambent \d+\.\d+\.\d+ .*\n\Z")
 

@@ -66,8 +66,10 @@ void checkFilm(const Options& options)
 void checkSurfaces(const Options& options)
 {
   const auto isPositive = [](double value) { return value > 0 && std::isfinite(value); };
-  require(options.specular >= 0 && options.specular <= 1, "specular lies between 0 and 1");
-  require(options.specularPower >= 0 && options.specularPower <= 128, "the power is one of VTK's");
+  require(!options.specular || (*options.specular >= 0 && *options.specular <= 1),
+    "specular lies between 0 and 1");
+  require(!options.specularPower || (*options.specularPower >= 0 && *options.specularPower <= 128),
+    "the power is one of VTK's");
   require(options.opacity >= 0 && options.opacity <= 1, "opacity lies between 0 and 1");
   require(isPositive(options.lineWidth) && isPositive(options.pointSize), "sizes are positive");
   require(!options.spheres || isPositive(options.spheres->radius), "radii are positive");

@@ -106,6 +106,10 @@ LAYER_PAINTING = "Rendering/Core/LayerPainting.cxx"
 COLOR_MAPS = "Rendering/CommandLine/ColorMaps.cxx"
 COLOR_BY = "Rendering/CommandLine/ColorBy.cxx"
 PLY_VERTICES = "Rendering/CommandLine/Reading/PlyVertices.cxx"
+MATERIAL_INPUTS = "Rendering/CommandLine/MaterialInputs.cxx"
+COVER_WITH_TEXTURE = "Rendering/CommandLine/CoverWithTexture.cxx"
+IDLE_PROPERTY = "Rendering/CommandLine/IdleProperty.cxx"
+NOTHING_SEEN = "Rendering/CommandLine/NothingSeen.cxx"
 
 MUTATIONS = [
     # The contract's arithmetic.
@@ -630,4 +634,14 @@ MUTATIONS = [
     (LIGHT, "(2.0 * facing) / normalSquare", "2.0 * facing", "normals of highlights have any length"),
     (LIGHT, "this->Parallel ? this->TowardsViewer : -point.position", "-point.position",
      "highlights in a parallel view are seen along the rays"),
+    # The command's options of surfaces, textures and materials.
+    (IDLE_PROPERTY, "options.edges || options.edgeColor;", "options.edges;",
+     "the colour of edges shows them"),
+    (COVER_WITH_TEXTURE, "if (HasCoordinates(meshes[k]))", "if (!meshes.empty())",
+     "inputs without coordinates have no texture"),
+    (MATERIAL_INPUTS, "opacity * options.opacity", "opacity", "opacities are multiplied"),
+    (MATERIAL_INPUTS, "&& material.hasHighlights", "", "models 0 and 1 have no highlights"),
+    (MATERIAL_INPUTS, "1 - material.transparency", "material.transparency",
+     "Tr is 1 minus the opacity"),
+    (NOTHING_SEEN, "  options.opacity = 1;", "", "invisible faces are hit"),
 ]

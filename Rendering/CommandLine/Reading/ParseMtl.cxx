@@ -24,6 +24,7 @@ public:
 
 private:
   void ParseLine(const std::string& keyword);
+  void ParseNumber(const std::string& keyword);
   std::optional<std::array<double, 3>> TakeColor();
   bool IsAtNumber() const;
   void TakeNumbers(std::array<double, 2>& values);
@@ -66,9 +67,49 @@ void MtlParser::ParseLine(const std::string& keyword)
   {
     this->Materials.back().ambient = this->TakeColor();
   }
+  else if (keyword == "Ks")
+  {
+    this->Materials.back().specular = this->TakeColor();
+  }
   else if (keyword == "map_Kd")
   {
     this->ParseImage();
+  }
+  else
+  {
+    this->ParseNumber(keyword);
+  }
+}
+
+void MtlParser::ParseNumber(const std::string& keyword)
+{
+  Material& material = this->Materials.back();
+  const auto take = [this](double largest)
+  {
+    this->Cursor.SkipBlanks();
+    TextCursor behind = this->Cursor;
+    if (behind.TakeWord() == "-halo") // more transparent where it faces the viewer; not supported
+    {
+      this->Cursor = behind;
+      this->Cursor.SkipBlanks();
+    }
+    return std::clamp(this->Cursor.TakeFiniteNumber(), 0.0, largest);
+  };
+  if (keyword == "Ns")
+  {
+    material.specularPower = take(128);
+  }
+  else if (keyword == "d")
+  {
+    material.opacity = take(1);
+  }
+  else if (keyword == "Tr")
+  {
+    material.transparency = take(1);
+  }
+  else if (keyword == "illum")
+  {
+    material.hasHighlights = take(10) >= 2;
   }
 }
 
