@@ -19,18 +19,19 @@ public:
   {
   }
 
-  /// Sorts by the ends of the ranges first. Then groups whose ranges overlap are sorted by depth.
+  /// Sorts by the near ends of the ranges first. Then groups whose ranges overlap are sorted by
+  /// depth. Once a near end lies behind a group, so do all that follow, however long their ranges.
   void sort(Layer* begin, Layer* end) const
   {
     constexpr std::ptrdiff_t few = 16;
-    const auto isNearer = [](const Layer& a, const Layer& b) { return a.low > b.low; };
+    const auto isNearer = [](const Layer& a, const Layer& b) { return a.high > b.high; };
     end - begin > few ? std::sort(begin, end, isNearer) : insert(begin, end, isNearer);
     for (Layer *group = begin, *next = begin; group < end; group = next)
     {
       float low = group->low;
       for (++next; next < end && !(next->high < low); ++next)
       {
-        low = next->low;
+        low = std::min(low, next->low);
       }
       if (next - group > 1)
       {
