@@ -107,6 +107,39 @@ void change(FuzzInput& input, vtkProperty* property)
   }
 }
 
+void changeLook(FuzzInput& input, vtkProperty* property)
+{
+  // Usually in the range, seldom any number.
+  const auto within = [&](double low, double high)
+  { return input.seldom(4) ? input.number() : input.within(low, high); };
+  const int bits = input.byte();
+  if ((bits & 1) != 0)
+  {
+    property->SetOpacity(within(0.0, 1.0));
+  }
+  if ((bits & 2) != 0)
+  {
+    property->SetSpecular(within(0.0, 1.0));
+    property->SetSpecularPower(within(0.0, 40.0));
+    property->SetSpecularColor(within(0.0, 1.0), within(0.0, 1.0), within(0.0, 1.0));
+  }
+  if ((bits & 4) != 0)
+  {
+    property->SetRepresentation(input.choice(3));
+  }
+  if ((bits & 8) != 0)
+  {
+    property->SetLineWidth(static_cast<float>(within(0.0, 8.0)));
+    property->SetPointSize(static_cast<float>(within(0.0, 8.0)));
+  }
+  property->SetRenderLinesAsTubes((bits & 16) != 0);
+  property->SetRenderPointsAsSpheres((bits & 32) != 0);
+  property->SetEdgeVisibility((bits & 64) != 0);
+  property->SetVertexVisibility((bits & 128) != 0);
+  property->SetEdgeColor(within(0.0, 1.0), 0.5, 0.0);
+  property->SetVertexColor(0.5, within(0.0, 1.0), 1.0);
+}
+
 vtkSmartPointer<vtkImageData> makeFuzzImage(FuzzInput& input)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

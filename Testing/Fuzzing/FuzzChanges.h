@@ -20,6 +20,9 @@ void change(FuzzInput& input, vtkCamera* camera);
 void change(FuzzInput& input, vtkLight* light);
 void change(FuzzInput& input, vtkProperty* property);
 
+/// Changes opacity, highlights, representation, widths, edges and vertices.
+void changeLook(FuzzInput& input, vtkProperty* property);
+
 /// An image for the background, occasionally of an invalid type or size.
 vtkSmartPointer<vtkImageData> makeFuzzImage(FuzzInput& input);
 

@@ -67,18 +67,7 @@ double fitting(vtkDataArray* array, double value)
 
 vtkSmartPointer<vtkDataArray> makeTuples(FuzzInput& input, int count)
 {
-  vtkSmartPointer<vtkDataArray> array = newArray(input);
-  const int components = input.seldom() ? 1 + input.choice(4) : 3;
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  for (int i = 0; i < count; ++i)
-  {
-    for (int component = 0; component < components; ++component)
-    {
-      array->SetComponent(i, component, fitting(array, input.number()));
-    }
-  }
-  return array;
+  return makeFuzzTuples(input, count, 3);
 }
 
 /// An id, usually of one of the points.
@@ -158,6 +147,22 @@ void count(vtkObject*, unsigned long, void* errors, void*)
 }
 }
 
+vtkSmartPointer<vtkDataArray> makeFuzzTuples(FuzzInput& input, int count, int usualComponents)
+{
+  vtkSmartPointer<vtkDataArray> array = newArray(input);
+  const int components = input.seldom() ? 1 + input.choice(4) : usualComponents;
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  for (int i = 0; i < count; ++i)
+  {
+    for (int component = 0; component < components; ++component)
+    {
+      array->SetComponent(i, component, fitting(array, input.number()));
+    }
+  }
+  return array;
+}
+
 vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input)
 {
   auto mesh = vtkSmartPointer<vtkPolyData>::New();
@@ -180,18 +185,6 @@ vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input)
   addData(input, mesh->GetNumberOfPoints(), mesh->GetPointData());
   addData(input, mesh->GetNumberOfCells(), mesh->GetCellData());
   return mesh;
-}
-
-void addFuzzArrays(FuzzInput& input, vtkPolyData* mesh)
-{
-  const auto add = [&](const char* name, vtkIdType count, vtkDataSetAttributes* data)
-  {
-    const auto array = makeTuples(input, static_cast<int>(count));
-    array->SetName(name);
-    data->AddArray(array);
-  };
-  add("Heat", mesh->GetNumberOfPoints(), mesh->GetPointData());
-  add("Part", mesh->GetNumberOfCells(), mesh->GetCellData());
 }
 
 ErrorCount::ErrorCount(vtkAlgorithm* algorithm)

@@ -14,14 +14,15 @@
 #include <string>
 
 class vtkAlgorithm;
+class vtkDataArray;
 class vtkPolyData;
 
 /// Points of any type; all four kinds of cells with 32-bit or 64-bit ids, valid or not; point and
 /// cell data of any length and type.
 vtkSmartPointer<vtkPolyData> makeFuzzMesh(FuzzInput& input);
 
-/// Adds a point array "Heat" and a cell array "Part" of any type and the right length.
-void addFuzzArrays(FuzzInput& input, vtkPolyData* mesh);
+/// An array of any numeric type.
+vtkSmartPointer<vtkDataArray> makeFuzzTuples(FuzzInput& input, int count, int usualComponents);
 
 /// Counts the errors of an algorithm. The first instance silences all output of VTK.
 class ErrorCount

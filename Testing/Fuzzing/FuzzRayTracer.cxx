@@ -3,6 +3,7 @@
 // vtkLambentRayTracer: any settings in any order, and any inputs. After each Update() there is an
 // error and an empty output, or the whole picture that brute force gives for the same scene.
 #include "FuzzChanges.h"
+#include "FuzzInputs.h"
 #include "FuzzMesh.h"
 #include "FuzzReference.h"
 
@@ -15,13 +16,10 @@
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkSMPTools.h"
-#include "vtkTrivialProducer.h"
 
 #include <array>
 #include <vector>
@@ -29,7 +27,6 @@
 namespace
 {
 constexpr int mostPixels = 48; // along a side
-constexpr int mostInputs = 3;
 
 class Session
 {
@@ -37,13 +34,14 @@ public:
   Session(const std::uint8_t* data, std::size_t size)
     : Input(data, size)
     , Count(this->Tracer)
+    , Inputs(this->Input, this->Tracer)
     , Threads(this->Input.seldom(32) ? 2 + this->Input.choice(2) : 1)
   {
     this->Tracer->SetSupersampling(1 + this->Input.choice(4));
     this->setFilm(this->Input.byte());
     this->Tracer->SetImageSize(
       1 + this->Input.choice(mostPixels), 1 + this->Input.choice(mostPixels));
-    this->addInput();
+    this->Inputs.add(this->HasArrays);
   }
 
   void run()
@@ -53,12 +51,23 @@ public:
       this->step();
     }
     this->update();
+    if (this->Count.errors > 0)
+    {
+      this->recover();
+    }
   }
 
 private:
   void step()
   {
-    switch (this->Input.choice(10))
+    const int kind = this->Input.byte();
+    constexpr int firstOfInputs = 180, firstOfTrees = 244;
+    if (kind >= firstOfInputs)
+    {
+      kind >= firstOfTrees ? this->addTree() : this->Inputs.change();
+      return;
+    }
+    switch (kind % 10)
     {
       case 0:
       case 1:
@@ -76,7 +85,8 @@ private:
         this->changeSettings();
         break;
       case 7:
-        this->changeInputs();
+        this->Inputs.clearSeldom();
+        this->Inputs.add(this->HasArrays);
         break;
       case 8:
         this->Tracer->ResetCamera();
@@ -155,7 +165,7 @@ private:
     vtkNew<vtkProperty> property;
     change(this->Input, property);
     const bool isNone = this->Input.seldom();
-    const int connection = this->Input.choice(mostInputs + 2) - 1;
+    const int connection = this->Input.choice(FuzzInputs::most + 2) - 1;
     connection < 0 ? this->Tracer->SetProperty(isNone ? nullptr : property.Get())
                    : this->Tracer->SetInputProperty(connection, isNone ? nullptr : property.Get());
   }
@@ -167,7 +177,7 @@ private:
     constexpr int firstOfFilm = 252, firstOfTransforms = 246;
     if (kind >= firstOfTransforms)
     {
-      kind >= firstOfFilm ? this->setFilm(input.byte()) : this->changeTransform();
+      kind >= firstOfFilm ? this->setFilm(input.byte()) : this->Inputs.changeTransform();
       return;
     }
     switch (kind % 7)
@@ -197,19 +207,6 @@ private:
     }
   }
 
-  void changeTransform()
-  {
-    vtkNew<vtkMatrix4x4> matrix;
-    const int count = this->Input.choice(13);
-    for (int k = 0; k < count; ++k)
-    {
-      matrix->SetElement(
-        k / 4, k % 4, this->Input.seldom(4) ? this->Input.number() : this->Input.within(-2.0, 2.0));
-    }
-    this->Tracer->SetInputTransform(
-      this->Input.choice(mostInputs), count == 0 ? nullptr : matrix.Get());
-  }
-
   void changeImageSize()
   {
     if (this->Input.seldom(16))
@@ -226,30 +223,28 @@ private:
     }
   }
 
-  void addInput()
+  void addTree()
   {
-    this->Meshes.emplace_back();
-    if (!this->Input.seldom())
-    {
-      this->Meshes.back() = makeFuzzMesh(this->Input);
-      if (this->HasArrays)
-      {
-        addFuzzArrays(this->Input, this->Meshes.back());
-      }
-    }
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(this->Meshes.back());
-    this->Tracer->AddInputConnection(0, producer->GetOutputPort());
+    this->Inputs.clearSeldom();
+    this->Inputs.addTree(this->HasArrays);
   }
 
-  void changeInputs()
+  /// No error may spoil later pictures.
+  void recover()
   {
-    if (this->Meshes.size() == mostInputs || this->Input.seldom(32))
-    {
-      this->Tracer->RemoveAllInputConnections(0);
-      this->Meshes.clear();
-    }
-    this->addInput();
+    this->Inputs.reset();
+    this->Tracer->SetProperty(nullptr);
+    this->Tracer->SetCamera(nullptr);
+    this->Tracer->RemoveAllLights();
+    this->Tracer->SetImageSize(8, 8);
+    this->Tracer->SetBackground(0.0, 0.0, 0.0);
+    this->Tracer->SetGradientBackground(false);
+    this->setFilm(0);
+    this->update();
+    require(this->Count.errors == 0, "a good scene has a picture, also after an error");
+    double range[2];
+    this->Tracer->GetOutput()->GetPointData()->GetScalars()->GetRange(range, 0);
+    require(range[0] < range[1], "the picture shows the good scene");
   }
 
   bool isSizeLegal() const
@@ -299,14 +294,14 @@ private:
         colors->GetNumberOfComponents() == (this->Tracer->GetOutputAlpha() ? 4 : 3) &&
         colors->GetDataType() == this->Tracer->GetOutputScalarType(),
       "there is a colour for each pixel");
-    compareWithBruteForce({ this->Tracer, this->Meshes, this->PassArrays }, extent);
+    compareWithBruteForce({ this->Tracer, this->Inputs.all(), this->PassArrays }, extent);
   }
 
   FuzzInput Input;
   vtkNew<vtkLambentRayTracer> Tracer;
   ErrorCount Count;
+  FuzzInputs Inputs;
   int Threads;
-  std::vector<vtkSmartPointer<vtkPolyData>> Meshes;
   bool HasArrays = false; ///< whether new inputs get arrays
   std::vector<lambent::adapters::SceneSettings::PassArray> PassArrays;
 };

@@ -4,19 +4,23 @@
 
 #include "FuzzInput.h"
 
+#include "InputBlocks.h"
 #include "Render.h"
 #include "SceneFromSettings.h"
 #include "TransformFromVTK.h"
 #include "Vec3FromVTK.h"
 
 #include "vtkCollectionRange.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkLambentRayTracer.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "vtkScalarsToColors.h"
+#include "vtkTexture.h"
 
 #include <cmath>
 #include <cstring>
@@ -24,18 +28,36 @@
 
 namespace
 {
+lambent::adapters::SceneSettings::Input inputOf(vtkLambentRayTracer* tracer, int connection)
+{
+  lambent::adapters::SceneSettings::Input input;
+  input.property = tracer->GetInputProperty(connection);
+  input.connection = connection;
+  input.transform =
+    lambent::adapters::transformFromVTK(tracer->GetInputTransform(connection), connection);
+  const auto text = [](const char* name) { return std::string(name ? name : ""); };
+  lambent::adapters::InputColors& colors = input.colors;
+  colors.scalarVisibility = tracer->GetInputScalarVisibility(connection);
+  colors.association = tracer->GetInputColorArrayAssociation(connection);
+  colors.arrayName = text(tracer->GetInputColorArrayName(connection));
+  colors.component = tracer->GetInputColorComponent(connection);
+  colors.lookupTable = tracer->GetInputLookupTable(connection);
+  colors.hasScalarRange = tracer->GetInputScalarRange(connection, colors.scalarRange);
+  colors.interpolateScalarsBeforeMapping =
+    tracer->GetInputInterpolateScalarsBeforeMapping(connection);
+  input.texture = tracer->GetInputTexture(connection);
+  input.spheres.radius = tracer->GetInputSphereRadius(connection);
+  input.spheres.radiusArray = text(tracer->GetInputSphereRadiusArray(connection));
+  return input;
+}
+
 lambent::adapters::SceneSettings settingsOf(const FuzzSubject& subject)
 {
   vtkLambentRayTracer* const tracer = subject.tracer;
   lambent::adapters::SceneSettings result;
-  for (int k = 0; k < static_cast<int>(subject.meshes.size()); ++k)
+  for (int k = 0; k < static_cast<int>(subject.inputs.size()); ++k)
   {
-    lambent::adapters::SceneSettings::Input input;
-    input.mesh = subject.meshes[k];
-    input.property = tracer->GetInputProperty(k);
-    input.connection = k;
-    input.transform = lambent::adapters::transformFromVTK(tracer->GetInputTransform(k), k);
-    result.inputs.push_back(input);
+    addBlocks(inputOf(tracer, k), subject.inputs[k], tracer->GetInputBlockAttributes(k), result);
   }
   result.camera = tracer->GetCamera();
   for (vtkLight* light : vtk::Range(tracer->GetLights()))

@@ -14,14 +14,14 @@
 #include <array>
 #include <vector>
 
+class vtkDataObject;
 class vtkLambentRayTracer;
-class vtkPolyData;
 
-/// A ray tracer with the meshes and pass arrays that it was given, which it does not return.
+/// A ray tracer with the inputs and pass arrays that it was given, which it does not return.
 struct FuzzSubject
 {
   vtkLambentRayTracer* tracer;
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes;
+  std::vector<vtkSmartPointer<vtkDataObject>> inputs;
   std::vector<lambent::adapters::SceneSettings::PassArray> passArrays;
 };
 

@@ -20,7 +20,7 @@ public:
   }
 
   /// Sorts by the near ends of the ranges first. Then groups whose ranges overlap are sorted by
-  /// depth: a hit and all after it are farther than a group if its near end is.
+  /// depth. Once a near end lies behind a group, so do all that follow, however long their ranges.
   void sort(Layer* begin, Layer* end) const
   {
     constexpr std::ptrdiff_t few = 16;
