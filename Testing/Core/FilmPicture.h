@@ -71,7 +71,7 @@ inline FilmPicture makePicture(const RandomScene& random, const FilmRequest& req
   image.part = part;
   image.samples = request.samples;
   image.hasAlpha = request.hasAlpha;
-  image.passes = request.passes;
+  image.passes.assign(request.passes.begin(), request.passes.end());
   FilmPicture picture;
   picture.channels = image.channels();
   picture.primitives.assign(pixels, 0xABABABABu); // no valid number
