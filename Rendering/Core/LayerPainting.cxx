@@ -6,12 +6,6 @@
 
 namespace lambent
 {
-Window LayerPainting::pixelsOf(const Window& samples) const
-{
-  const int n = this->Target.target().samples;
-  return { samples.i0 / n, samples.i1 / n, samples.j0 / n, samples.j1 / n };
-}
-
 /// The colour of a sample. Also stores the primitive that it sees.
 FilmColor LayerPainting::sampleColor(
   const TileSamples& samples, int i, int j, LayerMemory& memory) const
@@ -44,7 +38,7 @@ FilmColor LayerPainting::sampleColor(
 
 void LayerPainting::paintPlainly(const TileSamples& samples, LayerMemory& memory) const
 {
-  const Window pixels = this->pixelsOf(samples.window());
+  const Window pixels = this->Target.target().pixelsOf(samples.window());
   const int n = this->Target.target().samples;
   memory.primitives.assign(samples.size(), noPrimitive);
   for (int j = 0; j < pixels.height(); ++j)
@@ -74,8 +68,7 @@ void LayerPainting::paint(const TileSamples& samples, LayerMemory& memory) const
 void LayerPainting::begin(const TileSamples& samples, LayerMemory& memory) const
 {
   const Window& window = samples.window();
-  memory.edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
-    samples.ys()[window.height() - 1]);
+  SampleShading::begin(samples, memory.edges);
   memory.colors.reset(window.width(), window.height(), 4);
   memory.primitives.assign(samples.size(), noPrimitive);
   memory.rowCounts.assign(window.height(), 0);
@@ -209,7 +202,7 @@ void LayerPainting::addBackground(const TileSamples& samples, LayerMemory& memor
 
 void LayerPainting::finish(const TileSamples& samples, LayerMemory& memory) const
 {
-  const Window pixels = this->pixelsOf(samples.window());
+  const Window pixels = this->Target.target().pixelsOf(samples.window());
   this->Target.storeAverages(pixels, memory.colors, 0);
   this->Target.storePrimitives(pixels, memory.primitives.data(), samples.stride());
   if (this->Passes.isNeeded())

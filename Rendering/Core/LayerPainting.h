@@ -50,7 +50,7 @@ public:
   LayerPainting(const SurfacePoints& points, const LightModel& light, const Film& film,
     const PassPainting& passes)
     : Points(points)
-    , Shades(points, light, film.target().samples)
+    , Shades(points, light)
     , Target(film)
     , Passes(passes)
   {
@@ -67,7 +67,6 @@ private:
   void addBackground(const TileSamples& samples, LayerMemory& memory) const;
   void finish(const TileSamples& samples, LayerMemory& memory) const;
   FilmColor sampleColor(const TileSamples& samples, int i, int j, LayerMemory& memory) const;
-  Window pixelsOf(const Window& samples) const;
 
   const SurfacePoints& Points;
   const SampleShading Shades;

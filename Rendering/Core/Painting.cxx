@@ -20,7 +20,7 @@ FilmColor Painting::sampleColor(
 
 void Painting::paintPlainly(const TileSamples& samples, const std::uint32_t* primitives) const
 {
-  const Window pixels = this->pixelsOf(samples.window());
+  const Window pixels = this->Target.target().pixelsOf(samples.window());
   const int n = this->Target.target().samples;
   for (int j = 0; j < pixels.height(); ++j)
   {
@@ -43,9 +43,7 @@ void Painting::paint(
   {
     memory.passes = std::make_unique<PassMemory>();
   }
-  const Window& window = samples.window();
-  memory.edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
-    samples.ys()[window.height() - 1]);
+  SampleShading::begin(samples, memory.edges);
   if (this->Target.target().samples == 1)
   {
     this->paintSamples(samples, primitives, memory);
@@ -58,7 +56,8 @@ void Painting::paint(
       this->Passes.paint(samples, primitives, *memory.passes);
     }
   }
-  this->Target.storePrimitives(this->pixelsOf(samples.window()), primitives, samples.stride());
+  this->Target.storePrimitives(
+    this->Target.target().pixelsOf(samples.window()), primitives, samples.stride());
 }
 
 /// Each sample is a pixel.
@@ -85,7 +84,7 @@ void Painting::paintAverages(
   const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const
 {
   const Window& window = samples.window();
-  const Window pixels = this->pixelsOf(window);
+  const Window pixels = this->Target.target().pixelsOf(window);
   const int n = this->Target.target().samples;
   const int channelCount = this->Target.target().channels();
   TileColors& colors = memory.colors;

@@ -41,7 +41,7 @@ public:
   Painting(const SurfacePoints& points, const LightModel& light, const Film& film,
     const PassPainting& passes)
     : Points(points)
-    , Shades(points, light, film.target().samples)
+    , Shades(points, light)
     , Target(film)
     , Passes(passes)
   {
@@ -53,16 +53,11 @@ public:
     const TileSamples& samples, const std::uint32_t* primitives, PaintingMemory& memory) const;
   void paintBackground(const Window& samples) const
   {
-    this->Target.storeBackground(this->pixelsOf(samples));
+    this->Target.storeBackground(this->Target.target().pixelsOf(samples));
     this->Passes.paintNothing(samples);
   }
 
 private:
-  Window pixelsOf(const Window& samples) const
-  {
-    const int n = this->Target.target().samples;
-    return { samples.i0 / n, samples.i1 / n, samples.j0 / n, samples.j1 / n };
-  }
   FilmColor sampleColor(
     const TileSamples& samples, const std::uint32_t* primitives, int i, int j) const;
   template <typename BackgroundOf, typename StoreTo>

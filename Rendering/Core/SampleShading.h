@@ -16,17 +16,17 @@
 #include "PointBatch.h"
 #include "RunRange.h"
 #include "SurfacePoints.h"
+#include "TileSamples.h"
 
 namespace lambent
 {
 class SampleShading
 {
 public:
-  /// samples: the number of samples across a pixel.
-  SampleShading(const SurfacePoints& points, const LightModel& light, int samples)
+  SampleShading(const SurfacePoints& points, const LightModel& light)
     : Points(points)
     , Light(light)
-    , Edges(points.triangles().mesh(), samples)
+    , Edges(points.triangles().mesh())
   {
   }
 
@@ -34,6 +34,14 @@ public:
   Vec3 color(std::uint32_t primitive, double x, double y, const SurfacePoint& point) const
   {
     return this->Edges.mixed(primitive, x, y, this->Light.color(point) * point.texture.color);
+  }
+
+  /// Begins a tile. Edges are kept until the next one.
+  static void begin(const TileSamples& samples, EdgesInTile& edges)
+  {
+    const Window& window = samples.window();
+    edges.reset(samples.xs()[0], samples.xs()[window.width() - 1], samples.ys()[0],
+      samples.ys()[window.height() - 1]);
   }
 
   /// Fills in the colours of the samples that hit something, and the parts of their runs. Also

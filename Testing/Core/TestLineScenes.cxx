@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of lines and points. Brute force follows the formulas; instruction sets, threads, tiles,
 // parts and rounds must not change a bit.
-#include "FilmPicture.h"
-#include "InstructionSets.h"
-#include "LightModel.h"
+#include "BruteForceChecks.h"
 #include "RandomColors.h"
 #include "RandomLines.h"
-#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
 
 #include <limits>
@@ -18,43 +15,23 @@ namespace
 {
 constexpr unsigned int sceneCount = 320;
 
-std::string describe(unsigned int seed, const RandomScene& random)
-{
-  return "seed " + std::to_string(seed) + ": " + random.name + ", " + std::to_string(random.width) +
-    " x " + std::to_string(random.height);
-}
-
 /// A scene whose surfaces have an attribute of points and one of cells, colours from one of them,
 /// and a picture of all passes.
 struct Subject
 {
   RandomScene random;
-  std::vector<std::vector<double>> values; ///< of each surface
+  NumberedAttributes attributes;
   std::unique_ptr<RandomColors> colors;
   FilmRequest request;
 
   Subject(RandomScene scene, int samples, unsigned int seed)
     : random(std::move(scene))
+    , attributes(this->random.scene)
   {
-    for (Surface& surface : this->random.scene.surfaces)
-    {
-      std::vector<double> numbers;
-      for (std::size_t k = 0; k < surface.points.size + surface.primitiveCount() + 1; ++k)
-      {
-        numbers.push_back(static_cast<double>(7 * k % 1001) - 0.25);
-      }
-      this->values.push_back(std::move(numbers));
-      const double* const memory = this->values.back().data();
-      surface.attributes = { { memory, AttributeType::Double, 1, false },
-        { memory, AttributeType::Double, 1, true } };
-    }
     this->colors = std::make_unique<RandomColors>(this->random.scene, seed);
     this->request.samples = samples;
     this->request.hasAlpha = samples > 1;
-    this->request.passes = { { PassContent::Depth, 1, true, nullptr, 0 },
-      { PassContent::Normal, 3, false, nullptr, 0 }, { PassContent::Position, 3, true, nullptr, 0 },
-      { PassContent::Attribute, 1, true, nullptr, 0 },
-      { PassContent::Attribute, 1, true, nullptr, 1 } };
+    this->request.passes = NumberedAttributes::passes();
   }
 };
 }
@@ -103,16 +80,8 @@ TEST(LineScenes, TestEachPrimitiveAgainstEachRay)
           }
         }
       }
-      ASSERT_EQ(picture.primitives[pixel], nearest) << describe(seed, random);
-      if (nearest != noPrimitive)
-      {
-        const Vec3 expected = light.color(points.at(nearest, x, y));
-        for (int channel = 0; channel < 3; ++channel)
-        {
-          ASSERT_EQ(picture.floats[3 * pixel + channel], toFloat(expected[channel]))
-            << describe(seed, random) << ", pixel " << i << ", " << j;
-        }
-      }
+      expectPixel(picture, pixel, nearest, points, light, x, y, describe(seed, random));
+      ASSERT_FALSE(HasFailure());
     }
   }
   EXPECT_GT(hits, 20000u); // guards against scenes that are hardly hit
@@ -124,19 +93,15 @@ TEST(LineScenes, EqualBruteForceInEveryInstructionSet)
   {
     const Subject subject(makeRandomLines(seed), 1, seed);
     const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        for (const int tileShift : { 2, 5 })
-        {
-          Settings settings;
-          settings.tileShift = tileShift;
-          settings.chunk = 1 + seed % 100;
-          EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), settings,
-                        ThreadedParallel(1 + tileShift / 2)) == expected)
-            << describe(seed, subject.random) << ", tile shift " << tileShift;
-        }
-      });
+    for (const int tileShift : { 2, 5 })
+    {
+      Settings settings;
+      settings.tileShift = tileShift;
+      settings.chunk = 1 + seed % 100;
+      expectOnAllTargets(subject.random, subject.request, expected,
+        describe(seed, subject.random) + ", tile shift " + std::to_string(tileShift), settings,
+        ThreadedParallel(1 + tileShift / 2));
+    }
   }
 }
 
@@ -158,14 +123,9 @@ TEST(LineScenes, EqualBruteForceWithSeveralSamples)
   for (unsigned int seed = 400; seed < 448 && !HasFailure(); ++seed)
   {
     const Subject subject(makeFewRandomLines(seed), 2 + static_cast<int>(seed % 5), seed);
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), Settings(),
-                      ThreadedParallel(2)) == expected)
-          << describe(seed, subject.random);
-      });
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random), Settings(),
+      ThreadedParallel(2));
   }
 }
 

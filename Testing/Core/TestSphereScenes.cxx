@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pictures of spheres. Brute force follows the formulas; instruction sets, threads, tiles, parts
 // and rounds must not change a bit.
-#include "FilmPicture.h"
-#include "InstructionSets.h"
-#include "LightModel.h"
+#include "BruteForceChecks.h"
 #include "RandomNumbers.h"
 #include "RandomSpheres.h"
-#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
 
 #include <limits>
@@ -18,41 +15,21 @@ namespace
 {
 constexpr unsigned int sceneCount = 280;
 
-std::string describe(unsigned int seed, const RandomScene& random)
-{
-  return "seed " + std::to_string(seed) + ": " + random.name + ", " + std::to_string(random.width) +
-    " x " + std::to_string(random.height);
-}
-
 /// A scene whose surfaces have an attribute of points and one of cells, and a picture of all
 /// passes.
 struct Subject
 {
   RandomScene random;
-  std::vector<std::vector<double>> values; ///< of each surface
+  NumberedAttributes attributes;
   FilmRequest request;
 
   Subject(RandomScene scene, int samples)
     : random(std::move(scene))
+    , attributes(this->random.scene)
   {
-    for (Surface& surface : this->random.scene.surfaces)
-    {
-      std::vector<double> numbers;
-      for (std::size_t k = 0; k < surface.points.size + surface.triangleCount() + 1; ++k)
-      {
-        numbers.push_back(static_cast<double>(7 * k % 1001) - 0.25);
-      }
-      this->values.push_back(std::move(numbers));
-      const double* const memory = this->values.back().data();
-      surface.attributes = { { memory, AttributeType::Double, 1, false },
-        { memory, AttributeType::Double, 1, true } };
-    }
     this->request.samples = samples;
     this->request.hasAlpha = samples > 1;
-    this->request.passes = { { PassContent::Depth, 1, true, nullptr, 0 },
-      { PassContent::Normal, 3, false, nullptr, 0 }, { PassContent::Position, 3, true, nullptr, 0 },
-      { PassContent::Attribute, 1, true, nullptr, 0 },
-      { PassContent::Attribute, 1, true, nullptr, 1 } };
+    this->request.passes = NumberedAttributes::passes();
   }
 };
 }
@@ -108,16 +85,9 @@ TEST(SphereScenes, TestEachPrimitiveAgainstEachRay)
           }
         }
       }
-      ASSERT_EQ(picture.primitives[pixel], nearest) << describe(seed, random);
-      if (nearest != noPrimitive)
-      {
-        const Vec3 expected = light.color(points.at(nearest, frame.x(i), frame.y(j)));
-        for (int channel = 0; channel < 3; ++channel)
-        {
-          ASSERT_EQ(picture.floats[3 * pixel + channel], toFloat(expected[channel]))
-            << describe(seed, random) << ", pixel " << i << ", " << j;
-        }
-      }
+      expectPixel(
+        picture, pixel, nearest, points, light, frame.x(i), frame.y(j), describe(seed, random));
+      ASSERT_FALSE(HasFailure());
     }
   }
   EXPECT_GT(hits, 20000u); // guards against scenes that are hardly hit
@@ -129,19 +99,15 @@ TEST(SphereScenes, EqualBruteForceInEveryInstructionSet)
   {
     const Subject subject(makeRandomSpheres(seed), 1);
     const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        for (const int tileShift : { 2, 5 })
-        {
-          Settings settings;
-          settings.tileShift = tileShift;
-          settings.chunk = 1 + seed % 100;
-          EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), settings,
-                        ThreadedParallel(1 + tileShift / 2)) == expected)
-            << describe(seed, subject.random) << ", tile shift " << tileShift;
-        }
-      });
+    for (const int tileShift : { 2, 5 })
+    {
+      Settings settings;
+      settings.tileShift = tileShift;
+      settings.chunk = 1 + seed % 100;
+      expectOnAllTargets(subject.random, subject.request, expected,
+        describe(seed, subject.random) + ", tile shift " + std::to_string(tileShift), settings,
+        ThreadedParallel(1 + tileShift / 2));
+    }
   }
 }
 
@@ -163,14 +129,9 @@ TEST(SphereScenes, EqualBruteForceWithSeveralSamples)
   for (unsigned int seed = 300; seed < 342 && !HasFailure(); ++seed)
   {
     const Subject subject(makeFewRandomSpheres(seed), 2 + static_cast<int>(seed % 5));
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), Settings(),
-                      ThreadedParallel(2)) == expected)
-          << describe(seed, subject.random);
-      });
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random), Settings(),
+      ThreadedParallel(2));
   }
 }
 

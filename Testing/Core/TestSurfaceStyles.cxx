@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Lambent authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Edges and highlights: instruction sets, threads, tiles and parts must not change a bit.
-#include "FilmPicture.h"
-#include "InstructionSets.h"
+#include "BruteForceChecks.h"
 #include "RandomAttributes.h"
 #include "RandomColors.h"
 #include "RandomStyles.h"
@@ -42,16 +41,11 @@ TEST(SurfaceStyles, EqualBruteForceInEveryInstructionSet)
   for (unsigned int seed = 0; seed < 80 && !HasFailure(); ++seed)
   {
     const Subject subject(makeSmallScene(seed), seed, 1 + static_cast<int>(seed % 3));
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        Settings settings;
-        settings.tileShift = static_cast<int>(seed % 7);
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), settings,
-                      ThreadedParallel(1 + static_cast<int>(seed % 3))) == expected)
-          << "seed " << seed;
-      });
+    Settings settings;
+    settings.tileShift = static_cast<int>(seed % 7);
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random), settings,
+      ThreadedParallel(1 + static_cast<int>(seed % 3)));
   }
 }
 
@@ -59,18 +53,9 @@ TEST(SurfaceStyles, EqualBruteForceInLargerPictures)
 {
   for (unsigned int seed = 700; seed < 712 && !HasFailure(); ++seed)
   {
-    RandomScene random = makeRandomScene(seed);
-    random.width = 131;
-    random.height = 67;
-    const Subject subject(std::move(random), seed, 1);
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random),
-                      Settings()) == expected)
-          << "seed " << seed;
-      });
+    const Subject subject(makeLargerScene(seed), seed, 1);
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random));
   }
 }
 

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Transparent surfaces. A plain loop over all primitives and rays follows the formulas; instruction
 // sets, threads, tiles, parts, rounds and the order of the surfaces must not change a bit.
-#include "FilmPicture.h"
-#include "InstructionSets.h"
-#include "LightModel.h"
+#include "BruteForceChecks.h"
 #include "RandomAttributes.h"
 #include "RandomColors.h"
 #include "RandomNumbers.h"
 #include "RandomSpheres.h"
 #include "RandomTextures.h"
-#include "SurfacePoints.h"
 #include "ThreadedParallel.h"
 
 #include <algorithm>
@@ -270,18 +267,13 @@ TEST(Transparency, EqualsBruteForceInEveryInstructionSet)
   for (unsigned int seed = 0; seed < 100 && !HasFailure(); ++seed)
   {
     const Subject subject = subjectOf(seed, 1 + static_cast<int>(seed % 3));
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        Settings settings;
-        settings.tileShift = static_cast<int>(seed % 7);
-        settings.binPages = seed % 5 == 0 ? 1 : settings.binPages; // several rounds
-        settings.chunk = seed % 5 == 0 ? 16 : settings.chunk;
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), settings,
-                      ThreadedParallel(1 + static_cast<int>(seed % 3))) == expected)
-          << "seed " << seed;
-      });
+    Settings settings;
+    settings.tileShift = static_cast<int>(seed % 7);
+    settings.binPages = seed % 5 == 0 ? 1 : settings.binPages; // several rounds
+    settings.chunk = seed % 5 == 0 ? 16 : settings.chunk;
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random), settings,
+      ThreadedParallel(1 + static_cast<int>(seed % 3)));
   }
 }
 
@@ -289,18 +281,10 @@ TEST(Transparency, EqualsBruteForceInLargerPictures)
 {
   for (unsigned int seed = 300; seed < 312 && !HasFailure(); ++seed)
   {
-    RandomScene random = makeRandomScene(seed);
-    random.width = 131;
-    random.height = 67;
-    const Subject subject(std::move(random), seed, 1);
-    const FilmPicture expected = makeByBruteForce(subject.random, subject.request);
-    onAllTargets(
-      [&]()
-      {
-        EXPECT_TRUE(makePicture(subject.random, subject.request, whole(subject.random), Settings(),
-                      ThreadedParallel(3)) == expected)
-          << "seed " << seed;
-      });
+    const Subject subject(makeLargerScene(seed), seed, 1);
+    expectOnAllTargets(subject.random, subject.request,
+      makeByBruteForce(subject.random, subject.request), describe(seed, subject.random), Settings(),
+      ThreadedParallel(3));
   }
 }
 

@@ -59,7 +59,7 @@ TILE_TASKS = "Rendering/Core/TileTasks.cxx"
 SCENE_MESH = "Rendering/Core/Scene/SceneMesh.cxx"
 IMAGE = "Rendering/Core/Film/Image.h"
 FILL_KERNEL = "Rendering/Core/Film/FillKernel.cxx"
-TRIANGLE_ATTRIBUTE = "Rendering/Core/SurfacePoints/TriangleAttribute.h"
+CORNER_ATTRIBUTE = "Rendering/Core/SurfacePoints/CornerAttribute.h"
 PASS_TABLE = "Rendering/Core/PassTable.h"
 PASS_STORE = "Rendering/Core/Film/PassStore.h"
 ATTRIBUTE = "Filters/Base/AttributeSpan.h"
@@ -299,10 +299,10 @@ MUTATIONS = [
      "cell attributes are looked up by the input's cell"),
     (TRIANGLE_POINTS, "hit.e1 / hit.sum, hit.e2 / hit.sum", "hit.e2 / hit.sum, hit.e1 / hit.sum",
      "each weight belongs to its corner"),
-    (TRIANGLE_ATTRIBUTE, "(weighted(a, 0) + weighted(b, 1)) + weighted(c, 2)",
-     "weighted(a, 0) + (weighted(b, 1) + weighted(c, 2))", "runs of attributes are summed in order"),
-    (TRIANGLE_ATTRIBUTE, "all + components * static_cast<std::size_t>(surface.cellOf(triangle))",
-     "all + components * triangle", "attributes of runs are looked up by the input's cell"),
+    (CORNER_ATTRIBUTE, "Corners == 2 ? ofTwo : ofTwo + weighted(c, 2)",
+     "Corners == 2 ? ofTwo : weighted(a, 0) + (weighted(b, 1) + weighted(c, 2))", "runs of attributes are summed in order"),
+    (CORNER_ATTRIBUTE, "all + components * static_cast<std::size_t>(surface.cellOf(primitive))",
+     "all + components * primitive", "attributes of runs are looked up by the input's cell"),
     (VECTOR_POINTS, "hn::Div(hit.e1, hit.sum), hn::Div(hit.e2, hit.sum)",
      "hn::Div(hit.e2, hit.sum), hn::Div(hit.e1, hit.sum)", "each of the kernel's weights belongs to its corner"),
     (ATTRIBUTE, "static_cast<std::size_t>(this->components) + component;",
@@ -626,7 +626,7 @@ MUTATIONS = [
      "edges are cut before the eye"),
     (CELL_EDGES, "cells[range.end - first] == cell", "false", "all triangles of a cell show its edges"),
     (CELL_EDGES, "distance * (1.0 + 0x1p-20)", "0.5 * distance", "edges beside a tile are kept"),
-    (EDGE_WIDTH, "0.5 * samples * mesh.frame().pixel", "0.5 * mesh.frame().pixel",
+    (EDGE_WIDTH, "0.5 * mesh.frame().samplesPerPixel * mesh.frame().pixel", "0.5 * mesh.frame().pixel",
      "lines are as wide with several samples"),
     (DRAWN, "(edges & 1u) << 2", "(edges & 1u)", "mirrored triangles keep their edges"),
     (RUN_RANGE, "this->hasEdges = this->hasEdges || other.hasEdges;", "",

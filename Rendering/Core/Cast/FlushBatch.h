@@ -7,7 +7,6 @@
 #ifndef lambent_FlushBatch_h
 #define lambent_FlushBatch_h
 
-#include "Nearness.h"
 #include "TileHits.h"
 
 namespace lambent
@@ -17,15 +16,9 @@ namespace lambent
 template <typename Policy, typename Batch>
 void flushBatch(const FrameMesh& mesh, TileHits<Policy>& tile, Batch& batch)
 {
-  const CameraFrame& frame = mesh.frame();
-  tile.least = castBatch(frame, tile.samples, tile.hits, batch);
-  for (const auto& hit : batch.hits)
-  {
-    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, frame.parallel), hit.depth,
-      depthIn(mesh, tile.samples));
-  }
+  tile.least = castBatch(mesh.frame(), tile.samples, tile.hits, batch);
+  offerHits(mesh, tile, batch.hits);
   batch.count = 0;
-  batch.hits.clear();
 }
 }
 

@@ -12,7 +12,6 @@ template <typename Policy>
 void LineCasting<Policy>::cast(
   const NextPrimitive* lines, int count, TileHits<Policy>& tile, std::vector<ExactHit>& hits) const
 {
-  const CameraFrame& frame = this->Mesh.frame();
   for (int k = 0; k < count; ++k)
   {
     const SceneMesh::Part& part = *lines[k].part;
@@ -28,13 +27,8 @@ void LineCasting<Policy>::cast(
     {
       continue;
     }
-    findLineHits(frame, tile.samples, line.line, waiting.number, waiting.box, hits);
-    for (const ExactHit& hit : hits)
-    {
-      tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, frame.parallel), hit.depth,
-        depthIn(this->Mesh, tile.samples));
-    }
-    hits.clear();
+    findLineHits(this->Mesh.frame(), tile.samples, line.line, waiting.number, waiting.box, hits);
+    offerHits(this->Mesh, tile, hits);
   }
 }
 

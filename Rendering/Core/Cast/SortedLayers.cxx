@@ -74,10 +74,7 @@ private:
   const FrameMesh& Mesh;
   const TileSamples& Samples;
 };
-}
 
-namespace
-{
 /// The edge or corner of a triangle that a ray hits exactly. A corner has the same point twice.
 struct Outline
 {

@@ -7,10 +7,13 @@
 #ifndef lambent_TileHits_h
 #define lambent_TileHits_h
 
+#include "ExactHit.h"
 #include "FrameMesh.h"
+#include "Nearness.h"
 #include "TileSamples.h"
 
 #include <limits>
+#include <vector>
 
 namespace lambent
 {
@@ -41,6 +44,18 @@ inline auto depthIn(const FrameMesh& mesh, const TileSamples& samples)
     mesh.hits(primitive, samples.x(sample), samples.y(sample), depth);
     return depth;
   };
+}
+
+/// Offers hits whose depths are known, and removes them from the list.
+template <typename Policy>
+void offerHits(const FrameMesh& mesh, TileHits<Policy>& tile, std::vector<ExactHit>& hits)
+{
+  for (const ExactHit& hit : hits)
+  {
+    tile.hits.offer(hit.sample, hit.primitive, nearnessOf(hit.depth, mesh.frame().parallel),
+      hit.depth, depthIn(mesh, tile.samples));
+  }
+  hits.clear();
 }
 }
 

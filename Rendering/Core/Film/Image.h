@@ -79,6 +79,13 @@ struct Image
     return result;
   }
 
+  /// The pixels that a window of samples is made of.
+  Window pixelsOf(const Window& window) const
+  {
+    return { window.i0 / this->samples, window.i1 / this->samples, window.j0 / this->samples,
+      window.j1 / this->samples };
+  }
+
   /// The part, in samples.
   Window samplePart() const
   {

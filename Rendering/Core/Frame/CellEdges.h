@@ -29,10 +29,9 @@ namespace lambent
 class CellEdges
 {
 public:
-  /// samples: the number of samples across a pixel.
-  CellEdges(const FrameMesh& mesh, int samples)
+  explicit CellEdges(const FrameMesh& mesh)
     : Mesh(mesh)
-    , HalfPixel(0.5 * samples * mesh.frame().pixel)
+    , HalfPixel(0.5 * mesh.frame().samplesPerPixel * mesh.frame().pixel)
   {
   }
 

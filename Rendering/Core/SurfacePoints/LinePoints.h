@@ -23,7 +23,6 @@
 #define lambent_LinePoints_h
 
 #include "FrameMesh.h"
-#include "PointBatch.h"
 #include "SurfacePoint.h"
 
 namespace lambent
@@ -57,35 +56,6 @@ private:
 
   const FrameMesh& Mesh;
 };
-
-/// Calls store(valueOf), where valueOf(place, k) is component k of an attribute at a place of the
-/// line. The same as LinePoints::attribute().
-template <typename Store>
-void visitLineAttribute(const AttributeSpan& values, const SceneMesh::Part& part,
-  std::uint32_t number, const PointBatch& points, const Store& store)
-{
-  const Surface& surface = *part.surface;
-  const std::size_t line = number - part.firstPrimitive;
-  const auto components = static_cast<std::size_t>(values.components);
-  values.visit(
-    [&](const auto* all)
-    {
-      if (values.isPerCell)
-      {
-        const auto* const cell = all + components * static_cast<std::size_t>(surface.cellOf(line));
-        store([cell](int, int k) { return static_cast<double>(cell[k]); });
-        return;
-      }
-      const auto* const a = all + components * surface.corners[2 * line];
-      const auto* const b = all + components * surface.corners[2 * line + 1];
-      store(
-        [&points, a, b](int place, int k)
-        {
-          return static_cast<double>(a[k]) * points.weights[0][place] +
-            static_cast<double>(b[k]) * points.weights[1][place];
-        });
-    });
-}
 }
 
 #endif

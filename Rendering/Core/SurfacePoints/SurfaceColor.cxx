@@ -18,6 +18,24 @@ void put(const Vec3& color, double (*channels)[SampleBatch::room], int run)
     channels[channel][run] = color[channel];
   }
 }
+
+/// The alpha that colours of points have, or numbers of points that are looked up last.
+double alphaAt(const SceneMesh::Part& part, const ColorArray& colors, std::uint32_t primitive,
+  const PointBatch& points, int place)
+{
+  const std::size_t corners = Surface::cornersOf(part.kind());
+  const std::size_t first = corners * (primitive - part.firstPrimitive);
+  const auto weighted = [&](const auto& valueOf)
+  {
+    const auto at = [&](std::size_t corner)
+    { return valueOf(part.corners()[first + corner]) * points.weights[corner][place]; };
+    const double ofTwo = at(0) + at(1);
+    return corners == 3 ? ofTwo + at(2) : ofTwo;
+  };
+  return part.colorSource() == ColorSource::MappedLast
+    ? colors.table->alpha(weighted([&](std::size_t point) { return colors.number(point); }))
+    : weighted([&](std::size_t point) { return colors.alpha(point); });
+}
 }
 
 SurfaceColor colorOf(const Appearance& appearance)
@@ -81,24 +99,6 @@ void loadColors(const RunRange& range, SampleBatch& batch)
       put(color.diffuse, batch.diffuse, run);
       put(color.ambient, batch.ambient, run);
     });
-}
-
-/// The alpha that colours of points have, or numbers of points that are looked up last.
-static double alphaAt(const SceneMesh::Part& part, const ColorArray& colors,
-  std::uint32_t primitive, const PointBatch& points, int place)
-{
-  const std::size_t corners = Surface::cornersOf(part.kind());
-  const std::size_t first = corners * (primitive - part.firstPrimitive);
-  const auto weighted = [&](const auto& valueOf)
-  {
-    const auto at = [&](std::size_t corner)
-    { return valueOf(part.corners()[first + corner]) * points.weights[corner][place]; };
-    const double ofTwo = at(0) + at(1);
-    return corners == 3 ? ofTwo + at(2) : ofTwo;
-  };
-  return part.colorSource() == ColorSource::MappedLast
-    ? colors.table->alpha(weighted([&](std::size_t point) { return colors.number(point); }))
-    : weighted([&](std::size_t point) { return colors.alpha(point); });
 }
 
 bool hasConstantOpacity(const SceneMesh::Part& part)

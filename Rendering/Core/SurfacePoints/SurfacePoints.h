@@ -12,9 +12,9 @@
 #ifndef lambent_SurfacePoints_h
 #define lambent_SurfacePoints_h
 
+#include "CornerAttribute.h"
 #include "LinePoints.h"
 #include "SpherePoints.h"
-#include "TriangleAttribute.h"
 #include "TrianglePoints.h"
 
 namespace lambent
@@ -59,10 +59,10 @@ public:
     std::uint32_t primitive, const PointBatch& points, const Store& store) const
   {
     part.kind() == PrimitiveKind::Triangle
-      ? visitTriangleAttribute(values, part, primitive, points, store)
+      ? visitCornerAttribute<3>(values, part, primitive, points, store)
       : part.kind() == PrimitiveKind::Sphere
       ? visitSphereAttribute(values, part, primitive, store)
-      : visitLineAttribute(values, part, primitive, points, store);
+      : visitCornerAttribute<2>(values, part, primitive, points, store);
   }
 
   const SceneMesh& mesh() const { return this->Triangles.mesh().mesh(); }
