@@ -6,8 +6,7 @@
 #include "EmbreeTile.h"
 #include "Stopwatch.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include <type_traits>
 
 const char* nameOf(TreeQuality quality)
 {
@@ -46,8 +45,6 @@ struct EmbreeRenderer::Internals
   RTCScene build(TreeQuality quality, RTCSceneFlags flags) const;
   template <int N>
   void traceTiles(RTCScene tree, RayGrouping grouping, const EmbreeFilm& film) const;
-  template <int N>
-  void traceLayers(RTCScene tree, unsigned char* bytes) const;
 };
 
 namespace
@@ -169,30 +166,6 @@ double EmbreeRenderer::trace(TreeQuality quality, RayGrouping grouping, int samp
 }
 
 //------------------------------------------------------------------------------
-template <int N>
-void EmbreeRenderer::Internals::traceLayers(RTCScene tree, unsigned char* bytes) const
-{
-  using Blocks = EmbreeLayers<N>;
-  constexpr int across = Blocks::blockWidth, up = Blocks::blockHeight;
-  constexpr int rowsAtATime = 4;
-  const int rows = (this->height + up - 1) / up;
-  const auto traceRows = [&](const tbb::blocked_range<int>& range)
-  {
-    const FlushDenormals flush;
-    Blocks blocks(
-      this->mesh, this->view, this->width, this->height, static_cast<float>(layerOpacity), bytes);
-    for (int row = range.begin(); row < range.end(); ++row)
-    {
-      for (int i = 0; i < this->width; i += across)
-      {
-        blocks.render(tree, i, row * up);
-      }
-    }
-  };
-  tbb::parallel_for(
-    tbb::blocked_range<int>(0, rows, rowsAtATime), traceRows, tbb::simple_partitioner());
-}
-
 double EmbreeRenderer::traceLayers(TreeQuality quality)
 {
   Internals& internal = *this->Internal;
@@ -207,7 +180,15 @@ double EmbreeRenderer::traceLayers(TreeQuality quality)
   this->Picture->SetDimensions(internal.width, internal.height, 1);
   this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* const bytes = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
-  internal.hasWidePackets() ? internal.traceLayers<16>(tree, bytes)
-                            : internal.traceLayers<8>(tree, bytes);
+  const EmbreePicture picture{ internal.view, internal.width, internal.height, bytes };
+  const auto render = [&](auto size)
+  {
+    constexpr int N = decltype(size)::value;
+    renderPackets<N>(tree, picture,
+      [&]()
+      { return EmbreeLayers<N>(internal.mesh, internal.view, static_cast<float>(layerOpacity)); });
+  };
+  internal.hasWidePackets() ? render(std::integral_constant<int, 16>())
+                            : render(std::integral_constant<int, 8>());
   return stopwatch.seconds();
 }

@@ -12,48 +12,14 @@
 #define EmbreeTile_h
 
 #include "EmbreeFilm.h"
+#include "EmbreePackets.h"
 #include "EmbreeRenderer.h"
 #include "EmbreeScene.h"
-
-#include <embree3/rtcore.h>
-
-#include <pmmintrin.h>
-#include <xmmintrin.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-/// While this object exists, its thread treats denormals as zero.
-class FlushDenormals
-{
-public:
-  FlushDenormals()
-  {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~FlushDenormals() { _mm_setcsr(this->Before); }
-
-private:
-  const unsigned int Before = _mm_getcsr();
-};
-
-template <int N>
-struct PacketOf;
-template <>
-struct PacketOf<8>
-{
-  using Type = RTCRayHit8;
-  static constexpr auto intersect = rtcIntersect8;
-};
-template <>
-struct PacketOf<16>
-{
-  using Type = RTCRayHit16;
-  static constexpr auto intersect = rtcIntersect16;
-};
 
 template <int N>
 class EmbreeTile
@@ -123,30 +89,13 @@ private:
 template <int N>
 void EmbreeTile<N>::aim(Packet& packet, int i, int j) const
 {
-  const EmbreeView& view = this->View;
-  const float pan = view.parallel ? 1.0f : 0.0f, tilt = 1.0f - pan;
   const float middleX = 0.5f * this->Film.columns(), middleY = 0.5f * this->Film.rows();
-  const float step = view.pixel / this->Film.samples();
+  const float step = this->View.pixel / this->Film.samples();
   for (int k = 0; k < N; ++k)
   {
     const float x = (i + k % blockWidth + 0.5f - middleX) * step;
     const float y = (j + k / blockWidth + 0.5f - middleY) * step;
-    const float ax = x * view.right.x + y * view.up.x, ay = x * view.right.y + y * view.up.y,
-                az = x * view.right.z + y * view.up.z;
-    packet.ray.org_x[k] = view.eye.x + pan * ax;
-    packet.ray.org_y[k] = view.eye.y + pan * ay;
-    packet.ray.org_z[k] = view.eye.z + pan * az;
-    packet.ray.dir_x[k] = view.forward.x + tilt * ax;
-    packet.ray.dir_y[k] = view.forward.y + tilt * ay;
-    packet.ray.dir_z[k] = view.forward.z + tilt * az;
-    packet.ray.tnear[k] = 0.0f;
-    packet.ray.tfar[k] = std::numeric_limits<float>::max();
-    packet.ray.time[k] = 0.0f;
-    packet.ray.mask[k] = ~0u;
-    packet.ray.id[k] = 0;
-    packet.ray.flags[k] = 0;
-    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    aimRay(this->View, x, y, packet, k);
   }
 }
 
